@@ -83,7 +83,7 @@ TEST_F(AsmCommand, TheDialectOfBell) {
   EXPECT_TRUE(has(ran.out, "200103 020003 777777 141142 000012 000010")) << ran.out;
 }
 
-TEST_F(AsmCommand, EachDialectRefusesTheOtherByName) {
+TEST_F(AsmCommand, EachDialectRejectsTheOtherByName) {
   write("a.s", source);
   write("b.s", "a: lac 1f \" five\n1: 5\n");
   const auto bell = sightline({"asm", "pdp7", "--dialect", "bell", "a.s", "-o", "a.rim"});

@@ -86,14 +86,14 @@ TEST_F(AtlasCommand, DamagedScenes) {
   EXPECT_FALSE(exists("to"));
 }
 
-TEST_F(AtlasCommand, APlaceThatCannotBeWritten) {
+TEST_F(AtlasCommand, AFolderThatCannotBeWritten) {
   write("file", "");
   const auto ran = sightline({"atlas", "house", "--lattice", "2,2", "-o", "file"});
   EXPECT_EQ(ran.exit_code, 5) << ran.err;
   EXPECT_EQ(ran.out, "");
 }
 
-TEST_F(AtlasCommand, InterruptedItLeavesNothing) {
+TEST_F(AtlasCommand, AnInterruptedRunLeavesNoFiles) {
   const auto ran =
       sightline({"atlas", "corridor32", "--views", "100000"}, "", std::chrono::milliseconds(1500));
   EXPECT_EQ(ran.exit_code, 130) << ran.err;

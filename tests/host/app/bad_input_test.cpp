@@ -225,7 +225,7 @@ TEST_F(FullDisk, LeavesWholeLinesOfASweep) {
   EXPECT_LE(lines.size(), 4096U);
 }
 
-TEST_F(BadInput, AFileThatIsThereStays) {
+TEST_F(BadInput, AnExistingFileIsKept) {
   write("old.off", "old");
   write("s.json", sheet("[0,0,0],[9,0,0],[0,9,0],[7,7,7]", "[0,1,2]"));
   EXPECT_EQ(sightline({"scene", "convert", "s.json", "-o", "old.off"}).exit_code, 4);
@@ -233,7 +233,7 @@ TEST_F(BadInput, AFileThatIsThereStays) {
   EXPECT_EQ(files(), (std::vector<std::string>{"old.off", "s.json", "to"}));
 }
 
-TEST_F(BadInput, PlacesThatTakeNothing) {
+TEST_F(BadInput, PathsThatCannotBeWritten) {
   write("file", "");
   std::filesystem::create_directory(path("folder.svg"));
   expect_refused({"draw", "exact", "house", "-o", "folder.svg"}, 5,
@@ -254,7 +254,7 @@ TEST_F(BadInput, PlacesThatTakeNothing) {
     expect_refused(arguments, 5, "standard output: cannot write: No space left on device");
 }
 
-TEST_F(BadInput, AFileOfAnotherKindIsToldWhatIsRead) {
+TEST_F(BadInput, AnErrorForAnotherKindOfFileListsTheReadableKinds) {
   write("s.fbx", "Kaydara FBX Binary");
   write("s.csv", "1,2\n3,4\n");
   write("s.stl", "solid\nendsolid\n");

@@ -77,7 +77,7 @@ TEST_F(CompareCommand, HasOneTableOfAllMethods) {
   ASSERT_EQ(chosen.size(), 2U);
   EXPECT_GT(chosen[1]["wrong"]["median"], 2 * rows["jones-twin/lines"]["wrong"]["median"].get<double>()) << "without fraction bits";
   EXPECT_EQ(chosen[1]["wrong"]["median"], chosen[0]["wrong"]["median"]) << "its words are the display's points";
-  EXPECT_GT(chosen[0]["emulated_s"]["median"], rows["jones-pdp7/lines"]["emulated_s"]["median"]) << "without the EAE";
+  EXPECT_GT(chosen[0]["emulated_s"]["median"], rows["jones-pdp7/lines"]["emulated_s"]["median"]) << "slower without the EAE";
 }
 
 // Random views are those of their seed, and the table of some is not that of others.
@@ -139,7 +139,7 @@ TEST_F(CompareCommand, ComparesAFunctionAndPolyhedraAsJson) {
   }
 }
 
-TEST_F(CompareCommand, ComparesAFunctionOfOnesOwn) {
+TEST_F(CompareCommand, ComparesAUserDefinedFunction) {
   const auto contours = sightline({"compare", "--function", "x*x - z*z", "--domain", "-2:2", "--points", "17",
                                    "--slices", "19", "--picture", "contours", "--levels", "6", "--json"});
   ASSERT_EQ(contours.exit_code, 0) << contours.err;
@@ -205,7 +205,7 @@ TEST_F(CompareCommand, ComparesFacesByPoints) {
 }
 
 // Nothing of this ends the command: what applies to a scene is compared, and of the others the reason is said.
-TEST_F(CompareCommand, LeavesOutMethodsThatDoNotApply) {
+TEST_F(CompareCommand, OmitsMethodsThatDoNotApply) {
   const Arguments arguments{"compare", "sinc", "house", "boxes-2", "--methods", "jones,willis", "--no-host-times"};
   const auto ran = sightline(arguments);
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
@@ -218,7 +218,7 @@ TEST_F(CompareCommand, LeavesOutMethodsThatDoNotApply) {
   EXPECT_TRUE(has(none.err, "sinc: jones does not apply: ")) << none.err;
 }
 
-TEST_F(CompareCommand, NamesWhatIsWrong) {
+TEST_F(CompareCommand, NamesTheErrors) {
   struct Case {
     sightline::test::Arguments arguments;
     int exit_code;
@@ -262,7 +262,7 @@ TEST_F(CompareCommand, NamesWhatIsWrong) {
   EXPECT_EQ(files(), (std::vector<std::string>{"bad.off", "square.csv"}));
 }
 
-TEST_F(CompareCommand, ScenesOfOneNameHaveOverlaysOfTheirOwn) {
+TEST_F(CompareCommand, ScenesWithOneNameHaveSeparateOverlays) {
   NEEDS_OPTIMISED_CODE();
   std::filesystem::create_directory(path("d1"));
   std::filesystem::create_directory(path("d2"));

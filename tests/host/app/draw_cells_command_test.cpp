@@ -83,7 +83,7 @@ TEST_F(DrawCells, FromInsideAreTheVisibleLinesOfTheirMatter) {
   }
 }
 
-TEST_F(DrawCells, FromOutsideAreTheirSolidsAndWallsAndOneLineSaysSo) {
+TEST_F(DrawCells, FromOutsideShowSolidsAndWallsWithAMessage) {
   struct Case {
     std::vector<std::string> options;
     const char* reason;
@@ -106,7 +106,7 @@ TEST_F(DrawCells, FromOutsideAreTheirSolidsAndWallsAndOneLineSaysSo) {
   }
 }
 
-TEST_F(DrawCells, OfATurnAreAllFromInsideOrAllWithoutTheBox) {
+TEST_F(DrawCells, ViewsOfATurnAreAllFromInsideOrAllWithoutTheBox) {
   const auto outside = sightline({"draw", "exact", "house", "--turntable", "4", "-o", "t.svg"});
   ASSERT_EQ(outside.exit_code, 0) << outside.err;
   EXPECT_TRUE(has(outside.err, left_out));

@@ -196,20 +196,20 @@ TEST_F(DrawCommand, ASceneByEveryAlgorithm) {
   EXPECT_FALSE(has(read("exact.svg"), "hidden"));
 }
 
-TEST_F(DrawCommand, HiddenLinesAreALayerAndAPenOfTheirOwn) {
+TEST_F(DrawCommand, HiddenLinesHaveASeparateLayerAndPen) {
   ASSERT_EQ(sightline({"draw", "exact", "house", "--hidden", "-o", "h.svg"}).exit_code, 0);
   EXPECT_TRUE(has(read("h.svg"), "inkscape:label=\"2 hidden\""));
   ASSERT_EQ(sightline({"draw", "exact", "house", "--hidden", "-o", "h.plt"}).exit_code, 0);
   EXPECT_TRUE(has(read("h.plt"), "SP2;"));
 }
 
-TEST_F(DrawCommand, SeamsAreDrawnWhenAskedFor) {
+TEST_F(DrawCommand, SeamsAreDrawnOnRequest) {
   ASSERT_EQ(sightline({"draw", "exact", "touch-2", "-o", "t.svg"}).exit_code, 0);
   ASSERT_EQ(sightline({"draw", "exact", "touch-2", "--all-edges", "-o", "all.svg"}).exit_code, 0);
   EXPECT_LT(read("t.svg").size(), read("all.svg").size());
 }
 
-TEST_F(DrawCommand, CamerasThatSayTheSame) {
+TEST_F(DrawCommand, EquivalentCameras) {
   ASSERT_EQ(
       sightline({"draw", "exact", "boxes-5", "--eye", "9000,9000,9000", "--look-at", "0,0,0", "-o", "a.svg"})
           .exit_code,
@@ -336,7 +336,7 @@ TEST_F(DrawCommand, CtrlCLeavesEverythingAsItWas) {
             std::filesystem::status(path("plain")).permissions());
 }
 
-TEST_F(DrawCommand, APlaceThatCannotBeWritten) {
+TEST_F(DrawCommand, AFileThatCannotBeWritten) {
   EXPECT_EQ(sightline({"draw", "skala", "sinc", "-o", "nowhere/s.svg"}).exit_code, 5);
   EXPECT_EQ(sightline({"draw", "skala", "missing.csv", "-o", "s.svg"}).exit_code, 5);
   // Known before the work: this oracle would take hours.

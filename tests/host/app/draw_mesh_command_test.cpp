@@ -80,7 +80,7 @@ TEST_F(DrawMesh, LinesWithoutFacesAreHiddenByFaces) {
   EXPECT_FALSE(has(read("c.svg"), " wire\""));
 }
 
-TEST_F(DrawMesh, LinesWithoutFacesAreLeftOutByTheOtherMethods) {
+TEST_F(DrawMesh, LinesWithoutFacesAreOmittedByTheOtherMethods) {
   write("f.obj", box_and_line);
   const std::string warning = "sightline: warning: f.obj: 1 line without faces left out; `sightline draw exact` draws it\n";
   for (const char* method : {"jones", "montani-re", "plantinga"}) {
@@ -115,7 +115,7 @@ TEST_F(DrawMesh, AFileOfLinesAlone) {
 }
 
 // No two faces of the sphere bend by 30 degrees, and its silhouette from (1, 1, 1) has 40 of 792 edges.
-TEST_F(DrawMesh, ColoursOfFacesAreBordersWhereAskedFor) {
+TEST_F(DrawMesh, BordersBetweenColoursAreDrawnOnRequest) {
   const std::string sphere = SIGHTLINE_TEST_DATA "/meshes/ply-face-colours.ply";
   const auto edges_of = [&](const std::string& file, const sightline::test::Arguments& more) {
     sightline::test::Arguments words{"draw", "exact", file, "--view", "iso", "--json", "-o", "s.svg"};
@@ -154,7 +154,7 @@ TEST_F(DrawMesh, ALayerForEachBody) {
 }
 
 // The name of a body is not what tells layers apart: bodies of one name, or one that is called as the layer of hidden lines.
-TEST_F(DrawMesh, BodiesOfOneNameAreLayersOfTheirOwn) {
+TEST_F(DrawMesh, BodiesWithOneNameHaveSeparateLayers) {
   std::string text(box_and_bar);
   for (const std::string_view name : {"\"name\":\"box\"", "\"name\":\"bar\""}) text.replace(text.find(name), name.size(), "\"name\":\"hidden\"");
   write("two.json", text);
@@ -182,7 +182,7 @@ TEST_F(DrawMesh, TheListOfStrokesChangesNoDrawing) {
 }
 
 // A cube of 180 mm on the paper, from the front, with a line every 10 mm: the first and the last of 19 would lie on its edges.
-TEST_F(DrawMesh, HatchingThatLiesOnAnEdgeIsLeftOut) {
+TEST_F(DrawMesh, HatchingOnAnEdgeIsOmitted) {
   write("cube.obj",
         "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nv 0 0 9\nv 9 0 9\nv 9 9 9\nv 0 9 9\n"
         "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
@@ -196,7 +196,7 @@ TEST_F(DrawMesh, HatchingThatLiesOnAnEdgeIsLeftOut) {
   }
 }
 
-TEST_F(DrawMesh, HatchingIsLayersOfItsOwn) {
+TEST_F(DrawMesh, HatchingHasSeparateLayers) {
   write("two.json", box_and_bar);
   expect_ok({"draw", "exact", "two.json", "-o", "plain.svg"});
   const auto ran = sightline({"draw", "exact", "two.json", "--hatch", "30,2", "--light", "1,3,0.5", "--json", "-o", "h.svg"});
@@ -213,7 +213,7 @@ TEST_F(DrawMesh, HatchingIsLayersOfItsOwn) {
   EXPECT_EQ(svg, read("o.svg"));
 }
 
-TEST_F(DrawMesh, HatchingThatCannotBe) {
+TEST_F(DrawMesh, ImpossibleHatching) {
   for (const auto& [hatch, light, what] : std::vector<std::array<std::string, 3>>{{"45", "1,1,1", "ANGLE,SPACING"},
                                                                                   {"45,0", "1,1,1", "a spacing from"},
                                                                                   {"nan,1", "1,1,1", "ANGLE,SPACING"},
@@ -450,7 +450,7 @@ TEST_F(DrawMesh, AFilledSheetHasItsMarginsAndItsScale) {
   }
 }
 
-TEST_F(DrawMesh, UpThatIsUpAnywayChangesNothing) {
+TEST_F(DrawMesh, TheDefaultUpDirectionChangesNothing) {
   write("box.obj", box);
   for (const char* view : {"iso", "dimetric", "trimetric", "NW", "front"}) {
     expect_ok({"draw", "exact", "box.obj", "--view", view, "-o", "a.svg"});
@@ -462,7 +462,7 @@ TEST_F(DrawMesh, UpThatIsUpAnywayChangesNothing) {
   EXPECT_EQ(read("a.svg"), read("b.svg"));
 }
 
-TEST_F(DrawMesh, AnotherUpLeavesTheDirectionOfAView) {
+TEST_F(DrawMesh, AnotherUpDirectionKeepsTheViewingDirection) {
   write("box.obj", box);
   for (const char* view : {"iso", "dimetric", "trimetric", "NW"}) {
     const auto forward = [&](std::vector<std::string> more) {
@@ -478,7 +478,7 @@ TEST_F(DrawMesh, AnotherUpLeavesTheDirectionOfAView) {
   }
 }
 
-TEST_F(DrawMesh, EachLayerHasItsPenAndSharingIsSaid) {
+TEST_F(DrawMesh, EachLayerHasAPenAndSharingIsReported) {
   write("box.obj", box);
   const auto drawn = [&](std::vector<std::string> more, const std::string& file) {
     std::vector<std::string> all{"draw", "exact", "box.obj", "--view", "iso", "--hidden", "-o", file};
@@ -521,7 +521,7 @@ TEST_F(DrawMesh, LimitsOfTheCalComp) {
 }
 
 // A sheet of 231,200 triangles: a minute and more, for which one has to ask.
-TEST_F(DrawMesh, WhatTakesMinutesIsRefused) {
+TEST_F(DrawMesh, MinutesOfWorkNeedAnOption) {
   NEEDS_OPTIMISED_CODE();
   std::string bytes(80, ' ');
   const auto put = [&bytes](const auto& number) { bytes.append(reinterpret_cast<const char*>(&number), sizeof number); };

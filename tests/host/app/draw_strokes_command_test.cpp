@@ -150,7 +150,7 @@ TEST_F(DrawStrokes, FieldCountsUnitsOfTheFile) {
 }
 
 // A closed line with a side of 0.5 mm, and a tick of 0.4 mm by itself.
-TEST_F(DrawStrokes, ShortLinesAreLeftOutUnlessTheyCloseAGap) {
+TEST_F(DrawStrokes, ShortLinesAreOmittedUnlessTheyCloseAGap) {
   write("l.obj", "v 0 0 0\nv 100 0 0\nv 100 50 0\nv 99.6 50.3 0\nv 0 50 0\nv 20 20 0\nv 20.4 20 0\nl 1 2 3 4 5 1\nl 6 7\n");
   const auto count = [&](const Arguments& more) {
     Arguments words{"draw", "exact", "l.obj", "--view", "front", "--scale", "1:1", "--strokes", "s.jsonl", "-o", "l.svg"};
@@ -168,7 +168,7 @@ TEST_F(DrawStrokes, ShortLinesAreLeftOutUnlessTheyCloseAGap) {
   EXPECT_EQ(sightline({"draw", "exact", "l.obj", "--min-length", "1", "-o", "l.png"}).exit_code, 2);
 }
 
-TEST_F(DrawStrokes, WhereStrokesGo) {
+TEST_F(DrawStrokes, StrokesAreWrittenToAFileOrStandardOutput) {
   const std::string cube = drawing_data + "cube.obj";
   const auto piped = sightline({"draw", "exact", cube, "--view", "iso", "--strokes", "-", "-o", "c.svg"});
   EXPECT_EQ(piped.exit_code, 0);

@@ -79,7 +79,7 @@ TEST_F(ExplainCommand, HeightsFromAnExpression) {
   EXPECT_EQ(json::parse(ran.out).at("scene"), "x*z");
 }
 
-TEST_F(ExplainCommand, SaysWhatIsWrong) {
+TEST_F(ExplainCommand, ReportsErrors) {
   expect_failure({"exact", "house", "-o", "steps.txt"}, 2, "ends in .json or .html, or - for JSON");
   expect_failure({"exact", "house"}, 2, "--output is required");
   expect_failure({"house", "jones", "-o", "steps.json"}, 2, "found \"house\" before jones, expected it behind, as in `explain jones house`");
@@ -99,7 +99,7 @@ TEST_F(ExplainCommand, SendsAGridToSkala) {
   EXPECT_EQ(sightline({"explain", "skala", "hills.csv", "-o", "steps.json"}).exit_code, 0);
 }
 
-TEST_F(ExplainCommand, ALessonThatCannotBeLeavesNoFile) {
+TEST_F(ExplainCommand, AnImpossibleLessonLeavesNoFile) {
   expect_failure({"plantinga", "boxes-100", "-o", "steps.json"}, 4, "boxes-100: plantinga: the scene has 1200 edges");
   expect_failure({"willis", "boxes-200", "-o", "steps.html"}, 4, "boxes-200");
 }

@@ -28,7 +28,7 @@ TEST_F(HardCommand, ListsTheCases) {
   EXPECT_EQ(document["cases"].size(), 129U);
 }
 
-TEST_F(HardCommand, RunsACaseWhole) {
+TEST_F(HardCommand, RunsACompleteCase) {
   const auto ran = sightline({"hard", "J5-strip", "S8-backwards.txt", "M7"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   for (const char* part : {"J5 (jones, J5-strip.json): ", "\nexpected    a strip in common: the third cell is entered\n", "\nemulated    right\n",
@@ -72,7 +72,7 @@ TEST_F(HardCommand, WritesInputsAndPictures) {
   EXPECT_EQ(colour(2), (std::vector<int>{0, 90, 200}));
 }
 
-TEST_F(HardCommand, SaysWhatIsWrong) {
+TEST_F(HardCommand, ReportsErrors) {
   const auto unknown = sightline({"hard", "J55"});
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_TRUE(has(unknown.err, "CASE: found \"J55\", expected a case of `sightline hard --list`; did you mean \"J5\"?")) << unknown.err;

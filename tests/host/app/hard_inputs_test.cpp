@@ -76,7 +76,7 @@ TEST_P(HardInputs, GoThroughCompare) {
 class HardBounds : public sightline::test::CommandLine {};
 
 // What Willis's method would need minutes and more for is left out by count, and only that.
-TEST_F(HardBounds, LeaveOutWhatIsTooMuchWork) {
+TEST_F(HardBounds, OmitWorkBeyondTheLimit) {
   for (const char* file : {"J10.json", "J12.json", "J12-far.json"}) {
     write(file, compare::hard_case_text(file));
     const auto ran = sightline({"compare", "--no-host-times", file});

@@ -152,7 +152,7 @@ TEST_F(HelpCommand, EveryLineFitsAndIsInPlainWords) {
     }
     EXPECT_FALSE(has(help, "\n\n\n")) << help;
   }
-  EXPECT_GE(commands.size(), 35U) << "subcommands are not found in the help";
+  EXPECT_GE(commands.size(), 35U) << "found too few subcommands in the help";
 }
 
 TEST_F(HelpCommand, IsAsWideAsTheTerminal) {
@@ -173,7 +173,7 @@ TEST_F(HelpCommand, IsAsWideAsTheTerminal) {
   EXPECT_GT(longest, 70U);
 }
 
-TEST_F(HelpCommand, ACommandOfMethodsListsThemALineEach) {
+TEST_F(HelpCommand, ACommandWithMethodsListsOnePerLine) {
   const std::string help = sightline({"draw", "--help"}).out;
   const auto methods = listed_subcommands(help);
   std::vector<std::string> registered;
@@ -212,7 +212,7 @@ std::map<std::string, std::string> listed_options(const std::string& help) {
 
 // What `draw --help` says of options is what the helps of the methods say: each is one of more than half of them, and those that do
 // not have it are named.
-TEST_F(HelpCommand, OptionsThatMostMethodsShareAreListedAboveThem) {
+TEST_F(HelpCommand, OptionsOfMostMethodsAreListedBeforeThem) {
   const std::string help = sightline({"draw", "--help"}).out;
   const std::vector<std::string> methods = listed_subcommands(help);
   auto shared = listed_options(help.substr(help.find("Options of most subcommands:")));
@@ -288,7 +288,7 @@ TEST_F(HelpCommand, HelpOfACommandIsItsOption) {
 }
 
 // The last line but one is the complaint.
-TEST_F(HelpCommand, WhatIsUnknownIsNamedWithTheNearestName) {
+TEST_F(HelpCommand, UnknownNamesAreReportedWithTheNearestName) {
   const auto complaint = [this](const Arguments& arguments) {
     const auto ran = sightline(arguments);
     EXPECT_EQ(ran.exit_code, 2) << ran.out;
@@ -312,7 +312,7 @@ TEST_F(HelpCommand, WhatIsUnknownIsNamedWithTheNearestName) {
             "sightline: --scale: found \"-5\", expected a whole number from 64 to 4096");
 }
 
-TEST_F(HelpCommand, AnOptionBeforeItsSubcommandIsToldItsPlace) {
+TEST_F(HelpCommand, AnOptionBeforeItsSubcommandIsAnErrorWithItsPlace) {
   for (const Arguments& words : {Arguments{"draw", "--view", "iso", "exact", "boxes-3", "-o", "b.svg"}, Arguments{"draw", "--view=iso"}}) {
     const auto ran = sightline(words);
     EXPECT_EQ(ran.exit_code, 2);
@@ -327,7 +327,7 @@ TEST_F(HelpCommand, AnUnknownOptionIsReportedBeforeAMissingOne) {
   EXPECT_FALSE(has(ran.err, "--output")) << ran.err;
 }
 
-TEST_F(HelpCommand, NamesOfScenesAndFunctionsHaveANearestOneToo) {
+TEST_F(HelpCommand, UnknownScenesAndFunctionsHaveANearestName) {
   EXPECT_TRUE(has(sightline({"jones", "hosue"}).err, "did you mean \"house\"?"));
   EXPECT_TRUE(has(sightline({"skala", "lines", "sinq"}).err, "did you mean \"sinc\"?"));
   EXPECT_FALSE(has(sightline({"jones", "something-else"}).err, "did you mean"));

@@ -29,7 +29,7 @@ class JonesCommand : public sightline::test::CommandLine {
   }
 };
 
-TEST_F(JonesCommand, WritesPicturesAndSaysWhatItCost) {
+TEST_F(JonesCommand, WritesPicturesAndReportsTheCost) {
   const Ran ran = sightline({"jones", "house", "-o", "pictures"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   for (const char* line :
@@ -127,7 +127,7 @@ TEST_F(JonesCommand, TheCheckAddsNothing) {
   EXPECT_EQ(sightline({"jones", "house", "--switches", "right.txt", "--check"}).exit_code, 2);
 }
 
-TEST_F(JonesCommand, NoEyeInASolidOrOutside) {
+TEST_F(JonesCommand, AnEyeInASolidOrOutsideIsAnError) {
   const json solid = scene_of("roberts").at("solids").at(0);
   std::string inside;
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -34,7 +34,7 @@ TEST_F(MonitorCommand, ExitCodesAreThoseOfTheHelp) {
   EXPECT_EQ(ran.out, "1 = 1.\nunknown command \"nonsense\"; help lists them\n");
 }
 
-TEST_F(MonitorCommand, ATraceThatCannotBeWrittenIsToldAtOnce) {
+TEST_F(MonitorCommand, ATraceThatCannotBeWrittenIsReportedAtOnce) {
   const Ran ran = monitor("trace nowhere/t\nev 1\n");
   EXPECT_EQ(ran.exit_code, 2);
   EXPECT_EQ(ran.out.find("1 = 1."), std::string::npos) << ran.out;
@@ -42,7 +42,7 @@ TEST_F(MonitorCommand, ATraceThatCannotBeWrittenIsToldAtOnce) {
 }
 
 // After the HLT comes what is empty: 0 is CAL, which goes on at 21.
-TEST_F(MonitorCommand, AProgramThatRunsIntoEmptyMemoryIsToldOnce) {
+TEST_F(MonitorCommand, AProgramThatRunsIntoEmptyMemoryIsReportedOnce) {
   write("ends.s", "100/\nbegin, hlt\n  start begin\n");
   const Ran ran = monitor("continue\nrun for 1s\nrun for 1s\n", {"ends.s"});
   EXPECT_EQ(ran.exit_code, 0) << ran.out;

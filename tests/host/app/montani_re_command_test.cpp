@@ -29,7 +29,7 @@ std::size_t count(const std::string& text, const std::string& what) {
   return n;
 }
 
-TEST_F(MontaniReCommand, LinesAreThoseOfTheExactEdges) {
+TEST_F(MontaniReCommand, LinesEqualTheExactEdges) {
   const json summary = drawn({"boxes-9", "-o", "m.svg"});
   EXPECT_EQ(summary["algorithm"], "montani-re");
   EXPECT_GT(summary["counts"]["relations"], 0);
@@ -79,7 +79,7 @@ TEST_F(MontaniReCommand, PixelsByStripes) {
   EXPECT_NE(read("thin.png"), read("thick.png"));
 }
 
-TEST_F(MontaniReCommand, WhatAUserGetsWrong) {
+TEST_F(MontaniReCommand, UsageErrors) {
   const auto expect_usage_error = [&](Arguments arguments, std::string_view what) {
     arguments.insert(arguments.begin(), {"draw"});
     const auto ran = sightline(arguments);

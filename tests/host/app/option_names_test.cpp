@@ -89,7 +89,7 @@ TEST_F(OptionNames, PicturesAndSlicesByNamesOnly) {
   EXPECT_TRUE(files().empty());
 }
 
-TEST_F(OptionNames, DrawSkalaSaysWhatItDrew) {
+TEST_F(OptionNames, DrawSkalaReportsWhatItDrew) {
   const Ran ran = sightline({"draw", "skala", "saddle", "--picture", "contours", "--points", "9", "--slices",
                              "11", "--json", "-o", "s.svg"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
@@ -125,7 +125,7 @@ TEST_F(OptionNames, ARunNeedsAProgram) {
   expect_usage_error({"monitor", "pdp7"}, "monitor pdp7: needs a PROGRAM or --load FILE");
 }
 
-TEST_F(OptionNames, AViewThatIsNoMomentOfATurnIsNamed) {
+TEST_F(OptionNames, AViewOutsideATurnIsAnError) {
   const auto refused = [this](const Arguments& view, const char* reason) {
     Arguments arguments{"draw", "plantinga", "boxes-2", "-o", "p.svg"};
     arguments.insert(arguments.end(), view.begin(), view.end());

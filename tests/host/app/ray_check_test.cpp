@@ -66,7 +66,7 @@ std::vector<sightline::test::Arguments> views_of(const PlainMesh& mesh) {
   return {{"--view", "iso"}, {"--view", "front"}, {"--view", "trimetric"}, {"--eye", eye}};
 }
 
-TEST_F(RayCheckedDrawing, ShowsWhatCanBeSeenOfPublicMeshes) {
+TEST_F(RayCheckedDrawing, IsCorrectForPublicMeshes) {
   const fs::path folder = "/usr/share/assimp/models";
   std::error_code missing;
   std::vector<std::string> files;
@@ -125,7 +125,7 @@ TEST_F(RayCheckedDrawing, ShowsWhatCanBeSeenOfPublicMeshes) {
 
 // Where a closed part passes through itself, what is behind the crossing is turned the wrong side out: two pyramids on one base,
 // turned against each other, so that each has the outside of the other one inside.
-TEST_F(RayCheckedDrawing, ShowsABodyThatPassesThroughItself) {
+TEST_F(RayCheckedDrawing, IsCorrectForABodyThatPassesThroughItself) {
   write("a.obj", "v 0 0 0\nv 4 0 0\nv 0 0 4\nv 1 4 1\nv 6 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\nf 2 1 5\nf 3 2 5\nf 1 3 5\n");
   const PlainMesh mesh = sightline::tests::read_plain_mesh(path("a.obj").string());
   for (const char* name : {"front", "back", "left", "right", "top", "bottom", "iso"}) {
@@ -137,7 +137,7 @@ TEST_F(RayCheckedDrawing, ShowsABodyThatPassesThroughItself) {
 }
 
 // Bevels of 0.2 in tenths are no errors of rounding.
-TEST_F(RayCheckedDrawing, ShowsBevelsInShortNumbers) {
+TEST_F(RayCheckedDrawing, ShowsBevelsOfFewDecimals) {
   write("a.obj",
         "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 0.8 0\nv 1 0.8 0\nv 1 0.8 1\nv 0 0.8 1\nv 0.2 1 0.2\nv 0.8 1 0.2\nv 0.8 1 "
         "0.8\n"
@@ -151,7 +151,7 @@ TEST_F(RayCheckedDrawing, ShowsBevelsInShortNumbers) {
 }
 
 // Meshes of few whole numbers: vertices and edges on faces, faces that touch or lie in one plane, lines that coincide.
-TEST_F(RayCheckedDrawing, ShowsWhatCanBeSeenOfRandomMeshes) {
+TEST_F(RayCheckedDrawing, IsCorrectForRandomMeshes) {
   std::mt19937 engine(seed);
   const auto random = [&engine](int low, int high) {
     return low + static_cast<int>(engine() % static_cast<unsigned>(high - low + 1));

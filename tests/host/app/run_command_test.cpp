@@ -229,7 +229,7 @@ TEST_F(RunCommand, WarnsWhileTheProgramRuns) {
 }
 
 // The program is the same with a display that was there from the beginning and with one plugged in when it is used.
-TEST_F(RunCommand, TheDisplayIsPluggedInWhenItIsUsed) {
+TEST_F(RunCommand, TheDisplayIsConnectedAtItsFirstUse) {
   write("picture.oct", picture);
   const Arguments program{"picture.oct", "--start", "100", "--max-time", "0.02", "--json", "--trace", "trace", "--dump", "dump", "--save", "snap"};
   const auto with = [&program](const std::string& option) {
@@ -261,7 +261,7 @@ TEST_F(RunCommand, TheDisplayIsPluggedInWhenItIsUsed) {
 }
 
 // 700547 is an instruction of a Graphic-2 that a kernel of 1970 executes without one; 700601 is IDSI of the Type 340.
-TEST_F(RunCommand, AGraphic2IsNoType340) {
+TEST_F(RunCommand, AGraphic2IsNotAType340) {
   write("graphic.oct", "00100: 700547 740040 700601 740040\n");
   EXPECT_EQ(report({"graphic.oct", "--start", "100"}).at("machine").at("display"), false);
   EXPECT_EQ(report({"graphic.oct", "--start", "102"}).at("machine").at("display"), true);
@@ -306,7 +306,7 @@ TEST_F(RunCommand, BadFiles) {
   EXPECT_EQ(run({"--load", "."}).exit_code, 5);
 }
 
-TEST_F(RunCommand, OutputsThatCannotBeWrittenAreKnownBeforeTheRun) {
+TEST_F(RunCommand, UnwritableOutputsAreReportedBeforeTheRun) {
   write("forever.oct", forever);
   const Ran ran = run({"--load", "forever.oct", "--start", "100", "--dump", "core", "--png", "no/where.png"});
   EXPECT_EQ(ran.exit_code, 5);
@@ -341,7 +341,7 @@ TEST_F(RunCommand, SourcesAreAssembled) {
   EXPECT_EQ(monitored.err, ran.err);
 }
 
-TEST_F(RunCommand, ASourceAtAnAddressIsRefusedWithTheCommandThatAssemblesIt) {
+TEST_F(RunCommand, ASourceAtAnAddressIsAnErrorThatNamesTheAssembler) {
   write("add.s", "100/\n hlt\n start 100\n");
   const Ran ran = run({"add.s@100"});
   EXPECT_EQ(ran.exit_code, 4);

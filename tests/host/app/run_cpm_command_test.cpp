@@ -52,7 +52,7 @@ TEST_F(CpmCommand, TheExampleCopiesAFile) {
   EXPECT_FALSE(exists("a/TO2.TXT"));
 }
 
-TEST_F(CpmCommand, AFunctionWithoutItsOptionIsNamedWithIt) {
+TEST_F(CpmCommand, AFunctionThatNeedsAnOptionNamesIt) {
   assemble("\tORG 100H\n\tMVI C,15\n\tCALL 5\n\tJMP 0\n");
   const Ran bare = run({});
   EXPECT_EQ(bare.exit_code, 3);
@@ -117,7 +117,7 @@ TEST_F(CpmCommand, SteppingBackLeavesTheFilesAndGivesTheSameAnswers) {
   EXPECT_TRUE(has(ran.out, "0108")) << "the STA is in the history: " << ran.out;
 }
 
-TEST_F(CpmCommand, ASnapshotGoesOnWithItsFiles) {
+TEST_F(CpmCommand, ASnapshotContinuesWithItsFiles) {
   assemble(
       "\tORG 100H\n\tLXI D,F\n\tMVI C,22\n\tCALL 5\n\tMVI A,'1'\n\tSTA 80H\n\tLXI D,F\n\tMVI C,21\n\tCALL 5\n\tMVI A,'2'\n\tSTA 80H\n"
       "\tLXI D,F\n\tMVI C,21\n\tCALL 5\n\tJMP 0\nF:\tDB 0,'F       DAT'\n\tDS 24\n");
@@ -130,7 +130,7 @@ TEST_F(CpmCommand, ASnapshotGoesOnWithItsFiles) {
   EXPECT_EQ(sightline({"run", "i8080", "--restore", "s", "--cpm"}).exit_code, 4) << "without the drive";
 }
 
-TEST_F(CpmCommand, DrivesThatAreNone) {
+TEST_F(CpmCommand, InvalidDrives) {
   const auto refused = [this](Arguments options, std::string_view message) {
     options.insert(options.begin(), {"run", "i8080", "--load", "p.com"});
     const Ran ran = sightline(options);

@@ -57,7 +57,7 @@ TEST_F(RunDevices, PictureOfTheLastCompletePass) {
 }
 
 // Ten photographs a second: the one at 0.1 s is that of a run that ends there, whose first boundary is at most a cycle later.
-TEST_F(RunDevices, AMovieIsARowOfPhotographs) {
+TEST_F(RunDevices, AMovieIsASequenceOfPhotographs) {
   write("picture.oct", picture);
   const Arguments plain{"--load", "picture.oct", "--start", "100", "--max-time", "0.35"};
   Arguments filmed = plain;
@@ -86,7 +86,7 @@ TEST_F(RunDevices, AMovieIsARowOfPhotographs) {
   EXPECT_EQ(run({"--load", "picture.oct", "--movie", "m", "--movie-rate", "0"}).exit_code, 2);
 }
 
-TEST_F(RunDevices, AnOldPictureIsNamed) {
+TEST_F(RunDevices, AnOldPictureDrawsAWarning) {
   // IDLA once, then a loop: the only pass, of 65 points on a line, is over within a millisecond.
   write("once.oct", "00100: 200105 700606 600102 000000 000000 000106 020117 220400 102400 600100 003000\n");
   const Arguments options{"--load", "once.oct", "--start", "100", "--png", "p.png"};

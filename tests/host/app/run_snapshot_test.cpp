@@ -91,7 +91,7 @@ TEST_F(RunSnapshot, ContinuesAn8080) {
   EXPECT_EQ(read("c"), read("c1") + read("c2"));
 }
 
-TEST_F(RunSnapshot, RefusesWhatContradictsIt) {
+TEST_F(RunSnapshot, RejectsContradictoryOptions) {
   write("add.oct", add);
   ASSERT_EQ(run({"add.oct", "--start", "100", "--save", "a.snap"}).exit_code, 0);
   const auto refused = [this](Arguments options, int exit_code, std::string_view message) {

@@ -106,7 +106,7 @@ TEST_F(SceneCommand, AnOpeningThatIsNotShared) {
   EXPECT_TRUE(has(swapped.err, "opening 0")) << swapped.err;
 }
 
-TEST_F(SceneCommand, FilesThatAreNoScenes) {
+TEST_F(SceneCommand, FilesThatAreNotScenes) {
   write("cut.json", house().dump().substr(0, 200));
   write("list.json", "[]");
   write("empty.json", "");

@@ -80,7 +80,7 @@ TEST_F(SceneDecomposeCommand, InfoKnowsTheFile) {
             sightline({"scene", "convert", "boxes-5"}).out);
 }
 
-TEST_F(SceneDecomposeCommand, CheckNamesEverythingThatIsWrong) {
+TEST_F(SceneDecomposeCommand, CheckNamesEveryError) {
   ASSERT_EQ(sightline({"scene", "decompose", "boxes-5", "-o", "b.cells.json"}).exit_code, 0);
   const Ran good = sightline({"scene", "check", "b.cells.json"});
   EXPECT_EQ(good.exit_code, 0) << good.err;

@@ -31,7 +31,7 @@ TEST_F(StripesCommand, DrawsLinesOnThePlotter) {
     EXPECT_TRUE(exists(file)) << file;
 }
 
-TEST_F(StripesCommand, SaysItInJson) {
+TEST_F(StripesCommand, WritesJson) {
   const Ran ran = sightline({"stripes", "roberts", "--stripes", "host", "--json", "-o", "p"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   const json document = json::parse(ran.out);
@@ -49,7 +49,7 @@ TEST_F(StripesCommand, SaysItInJson) {
   EXPECT_EQ(pairs, 45);
 }
 
-TEST_F(StripesCommand, SaysWhatDoesNotFit) {
+TEST_F(StripesCommand, ReportsScenesThatDoNotFit) {
   const Ran ran = sightline({"stripes", "boxes-30"});
   EXPECT_EQ(ran.exit_code, 4);
   EXPECT_TRUE(has(ran.err, "boxes-30: faces: 90 faces are turned to the eye, 26 too many, expected at most 64 for the 8080")) << ran.err;

@@ -28,7 +28,7 @@ class SweepCommand : public sightline::test::CommandLine {
   }
 };
 
-TEST_F(SweepCommand, ALineAViewWhateverTheThreads) {
+TEST_F(SweepCommand, OneLinePerViewForAnyNumberOfThreads) {
   const auto ran = sightline(sweep({"--jobs", "1"}));
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   EXPECT_TRUE(has(ran.err, "exact               lines          20      20           0, exact")) << ran.err;
@@ -42,7 +42,7 @@ TEST_F(SweepCommand, ALineAViewWhateverTheThreads) {
   EXPECT_NE(sightline(sweep({"--seed", "2"})).out, ran.out);
 }
 
-TEST_F(SweepCommand, ShardsOneAfterTheOtherAreTheWhole) {
+TEST_F(SweepCommand, ConsecutiveShardsEqualTheWhole) {
   std::string joined;
   for (const char* shard : {"1/3", "2/3", "3/3"}) joined += sightline(sweep({"--shard", shard})).out;
   const auto one = sightline(sweep({"--jobs", "1"}));
@@ -56,7 +56,7 @@ TEST_F(SweepCommand, ShardsOneAfterTheOtherAreTheWhole) {
 }
 
 // The table of a guest has numbers to lose; its command shows the view that it names, with the same measures.
-TEST_F(SweepCommand, TheWorstViewIsShownByItsCommand) {
+TEST_F(SweepCommand, TheCommandOfTheWorstViewShowsIt) {
   const Arguments command{"sweep", "house", "--views", "6", "--algorithm", "jones-twin", "-o", "s.jsonl"};
   const auto ran = sightline(command);
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
@@ -94,7 +94,7 @@ TEST_F(SweepCommand, AFunctionBySkalasProgram) {
   expect_error({"sweep", "sinc", "--views", "2", "--faces"}, 2, "--faces: found sinc, expected a scene");
 }
 
-TEST_F(SweepCommand, GoesOnWhereItWasInterrupted) {
+TEST_F(SweepCommand, ResumesAnInterruptedSweep) {
   const std::string all = whole();
   std::size_t middle = 0;
   for (int i = 0; i < 7; ++i) middle = all.find('\n', middle) + 1;
@@ -106,7 +106,7 @@ TEST_F(SweepCommand, GoesOnWhereItWasInterrupted) {
   }
 }
 
-TEST_F(SweepCommand, AStrangersFileIsLeftAlone) {
+TEST_F(SweepCommand, AForeignFileIsNotOverwritten) {
   const std::string all = whole();
   const std::string first = all.substr(0, all.find('\n') + 1);
   for (const std::string& text : {std::string("my notes\n"), first + first, all + "more\n"}) {
@@ -126,7 +126,7 @@ TEST_F(SweepCommand, OneSweepAtATimeWritesAFile) {
   close(file);
 }
 
-TEST_F(SweepCommand, InterruptedAndGoneOnWith) {
+TEST_F(SweepCommand, InterruptedAndResumed) {
   const Arguments many{"sweep", "boxes-4", "--views", "1000000", "--algorithm", "oracle", "-o", "s.jsonl"};
   const auto ran = sightline(many, "", std::chrono::milliseconds(1500));
   EXPECT_EQ(ran.exit_code, 130) << ran.err;
@@ -142,7 +142,7 @@ TEST_F(SweepCommand, TheGuestOfASceneOfCells) {
   expect_error({"sweep", "boxes-4", "--views", "2", "--guest"}, 2, "--guest");
 }
 
-TEST_F(SweepCommand, TurnedShardsAreTheWhole) {
+TEST_F(SweepCommand, ShardsOfATurnEqualTheWhole) {
   const auto turned = [&](const char* shard) {
     const auto ran = sightline({"sweep", "house", "--views", "8", "--turn", "--shard", shard});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;

@@ -35,7 +35,7 @@ TEST_F(TurnCommand, AModelThatIsTooLargeToBeTilted) {
   EXPECT_TRUE(has(ran.err, "vertex 0,0,0 is 2500 from the middle of the model along x, tilted, expected less than 2016.49")) << ran.err;
 }
 
-TEST_F(TurnCommand, SaysItInJson) {
+TEST_F(TurnCommand, WritesJson) {
   const Ran ran = sightline({"turn", models + "block.off", "--no-eae", "--frames", "6", "--json", "-o", "p"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   const json document = json::parse(ran.out);
@@ -55,7 +55,7 @@ TEST_F(TurnCommand, TheCheckAddsNothing) {
   EXPECT_EQ(checked.out, plain.out);
 }
 
-TEST_F(TurnCommand, SaysByHowManyWordsAModelDoesNotFit) {
+TEST_F(TurnCommand, ReportsTheExcessWordsOfAModel) {
   const Ran ran = sightline({"turn", std::string(SIGHTLINE_SOURCE_DIR) + "/tests/data/models/grid.off", "--level"});
   EXPECT_EQ(ran.exit_code, 4);
   EXPECT_TRUE(has(ran.err, "words too many for 8K of core beside the program")) << ran.err;

@@ -92,7 +92,7 @@ TEST_F(WillisCommand, APlanNeedsFewerPieces) {
 
 // The vertical is the scene's, wherever the camera looks: this one looks at what stands on the ground from
 // among the roofs, more down than forward.
-TEST_F(WillisCommand, ThePlanAndTheFlightOfASteepLook) {
+TEST_F(WillisCommand, ThePlanAndTheFlightOfASteepView) {
   const Arguments steep{"--eye", "9973,701,-4001", "--look-at", "9973,-20000,9000"};
   Arguments plan = steep;
   plan.emplace_back("--plan");
@@ -112,7 +112,7 @@ TEST_F(WillisCommand, ThePlanAndTheFlightOfASteepLook) {
   EXPECT_EQ(read("level.apng"), read("same.apng")) << "a flight looks at the middle of the scene";
 }
 
-TEST_F(WillisCommand, WhatIsLeftOverIsNamedAndDrawnAllTheSame) {
+TEST_F(WillisCommand, ResidualPairsAreNamedAndDrawnAllTheSame) {
   const auto uncut = draw("boxes-8", "c.png", {"--depth", "0", "--json"});
   EXPECT_EQ(uncut.exit_code, 0);
   EXPECT_TRUE(has(uncut.err,
@@ -134,7 +134,7 @@ TEST_F(WillisCommand, MoreThanTenPairsAreCounted) {
   EXPECT_TRUE(has(ran.err, "more pairs of faces that could not be separated")) << ran.err;
 }
 
-TEST_F(WillisCommand, TouchingWallsAreToldApartByOrderCells) {
+TEST_F(WillisCommand, TouchingWallsAreOrderedByOrderCells) {
   write("walls.json", walls);
   const json made = summary("walls.json", "w.png", {"--plan", "--field", "90", "--pixels", "64x64"});
   EXPECT_GT(made["model"]["order_cells"], 1);
@@ -150,7 +150,7 @@ TEST_F(WillisCommand, AFlightIsAnAnimatedPng) {
   const std::size_t control = file.find("acTL");
   ASSERT_NE(control, std::string::npos);
   EXPECT_EQ(file.substr(control + 4, 8), std::string("\0\0\0\7\0\0\0\0", 8))
-      << "seven frames, again and again";
+      << "seven frames, repeated";
   std::size_t frames = 0;
   for (std::size_t at = file.find("fcTL"); at != std::string::npos; at = file.find("fcTL", at + 1)) ++frames;
   EXPECT_EQ(frames, 7U);

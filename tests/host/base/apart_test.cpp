@@ -13,7 +13,7 @@ namespace {
 
 using Answer = Result<std::string>;
 
-TEST(Apart, TheAnswerComesWhole) {
+TEST(Apart, TheAnswerIsComplete) {
   const std::string large(3'000'000, '\0');
   const auto answer = run_apart([&]() -> Answer { return "x" + large; });
   ASSERT_TRUE(answer);
@@ -37,7 +37,7 @@ TEST(Apart, WhatItChangesIsLost) {
   EXPECT_EQ(here, 1);
 }
 
-TEST(Apart, NothingItDoesEndsThisProcess) {
+TEST(Apart, NoFailureEndsThisProcess) {
   EXPECT_EQ(run_apart([]() -> Answer { throw std::runtime_error("thrown"); }).error().found, "thrown");
   EXPECT_EQ(run_apart([]() -> Answer { std::abort(); }).error().found, "crashed (Aborted)");
   EXPECT_EQ(run_apart([]() -> Answer { std::_Exit(0); }).error().found, "crashed");

@@ -55,7 +55,7 @@ TEST_F(FileTest, AppearsOnlyWhenComplete) {
   EXPECT_EQ(files(), 1);
 }
 
-TEST_F(FileTest, KeepsLinksAndLeftOvers) {
+TEST_F(FileTest, KeepsLinksAndLeftoverFiles) {
   ASSERT_TRUE(write_file_atomically(path("target"), std::string_view("old")));
   ASSERT_TRUE(write_file_atomically(path("link.partial"), std::string_view("somebody else's")));
   ASSERT_TRUE(write_file_atomically(path("target.partial"), std::string_view("somebody else's")));
@@ -67,7 +67,7 @@ TEST_F(FileTest, KeepsLinksAndLeftOvers) {
 }
 
 // Such a link may lead anywhere: to a disk that is not mounted, or out of a folder that somebody else unpacked.
-TEST_F(FileTest, ALinkToNothingIsRefused) {
+TEST_F(FileTest, ADanglingLinkIsAnError) {
   std::filesystem::create_symlink(path("nothing"), path("link"));
   const auto written = write_file_atomically(path("link"), std::string_view("x"));
   ASSERT_FALSE(written);

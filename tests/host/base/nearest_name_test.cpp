@@ -35,7 +35,7 @@ TEST(EditDistance, IsSymmetricAndZeroForEqualTextsOnly) {
   }
 }
 
-TEST(NearestName, IsNearOrNothing) {
+TEST(NearestName, IsNearOrAbsent) {
   EXPECT_EQ(nearest_name("jons", commands), "jones");
   EXPECT_EQ(nearest_name("comapre", commands), "compare");
   EXPECT_EQ(nearest_name("dis", commands), "disasm");

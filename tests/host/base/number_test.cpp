@@ -58,7 +58,7 @@ TEST(WholeNumber, FitsItsType) {
   EXPECT_FALSE(whole_number<std::int64_t>("9223372036854775808"));
 }
 
-TEST(WholeNumbers, AreAllThereBetweenSeparators) {
+TEST(WholeNumbers, AreAllPresentBetweenSeparators) {
   using Three = std::array<int, 3>;
   EXPECT_EQ((whole_numbers<int, 3>("3,-4,5", ',')), (Three{3, -4, 5}));
   for (const char* const wrong : {"", "3,-4", "3,-4,", "3,-4,5,6", ",4,5", "3, 4,5", "3x4x5"})
@@ -85,7 +85,7 @@ TEST(FixedNumber, HasNoExponentAndIsInTheRange) {
 }
 
 // The library of g++ writes each number in its own way.
-TEST(ShortestNumber, IsThatOfTheStandardLibrary) {
+TEST(ShortestNumber, EqualsTheStandardLibrary) {
   const auto expected = [](double value) {
     std::array<char, 64> digits{};
     return std::string(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);

@@ -45,7 +45,7 @@ std::vector<Place> marks_of(const std::string& svg) {
   return places;
 }
 
-TEST(Front, IsWhatNoOtherIsBothFasterAndMoreRightThan) {
+TEST(Front, HasThePointsThatNoOtherDominates) {
   //                                       0            1            2            3            4              5
   const std::vector<PlotPoint> series{point(1, 5), point(2, 4), point(3, 4), point(2, 1), point(0.5, 9), point(4, 0)};
   // From the fastest on, each that is more right than all before: 4, 0, 3 (as fast as 1 and more right), 5. 2 is slower than 1
@@ -80,7 +80,7 @@ TEST(Plot, AxesAreLogarithmic) {
   EXPECT_NEAR(marks[1].y - marks[0].y, marks[2].y - marks[1].y, 0.11);
   EXPECT_GT(marks[1].y - marks[0].y, 20) << "less wrong is lower";
   EXPECT_NEAR(marks[3].x, marks[2].x, 0.11);
-  EXPECT_GT(marks[3].y, marks[2].y + 8) << "error 0: in the strip below";
+  EXPECT_GT(marks[3].y, marks[2].y + 8) << "error 0: in the strip at the bottom";
 }
 
 TEST(Plot, LabelsDoNotLieOnEachOtherOrOnMarks) {
@@ -117,7 +117,7 @@ TEST(Plot, LabelsDoNotLieOnEachOtherOrOnMarks) {
   }
 }
 
-TEST(Plot, EscapesWhatItIsGiven) {
+TEST(Plot, EscapesTexts) {
   const auto svg = plot_svg({point(1, 2, "<script>", "a & \"b\"")}, "<title> & more");
   ASSERT_TRUE(svg);
   EXPECT_EQ(svg->find("<script"), std::string::npos);
@@ -126,7 +126,7 @@ TEST(Plot, EscapesWhatItIsGiven) {
   EXPECT_NE(svg->find("&lt;title&gt; &amp; more"), std::string::npos);
 }
 
-TEST(Plot, OfNothingIsAnErrorAndAPanelSaysSo) {
+TEST(Plot, WithoutPointsIsAnErrorAndAnEmptyPanelSaysSo) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const auto nothing = plot_svg({point(0, 1), point(none, 1), point(1, none), point(1, -1)}, "t");
   ASSERT_FALSE(nothing);
@@ -181,7 +181,7 @@ TEST(Variants, OfPolyhedraAreStripesAndEvents) {
   const auto events = of_series(points, "plantinga events");
   ASSERT_EQ(events.size(), 5U);
   EXPECT_EQ(events.front().label, "0 degrees");
-  EXPECT_EQ(events.front().wrong_percent, 0) << "exact between exact events";
+  EXPECT_EQ(events.front().wrong_percent, 0) << "no error between exact events";
   EXPECT_GT(events.back().wrong_percent, 0) << "events 10 degrees late";
   for (const PlotPoint& point : points) EXPECT_GT(point.seconds, 0) << point.series;
   // Without the method in the comparison there is no setting of it.

@@ -70,7 +70,7 @@ void expect_as_by_brute_force(const scene::CellScene& scene, const std::vector<g
   }
 }
 
-TEST(Atlas, IsWhatALoopOverItsEyesGives) {
+TEST(Atlas, EqualsALoopOverItsEyes) {
   const scene::CellScene house = scene::builtin_scene("house");
   AtlasLattice lattice = usual_lattice(house);
   lattice.columns = 5;
@@ -142,7 +142,7 @@ scene::CellScene doorways(std::int32_t cells) {
   return scene;
 }
 
-TEST(Atlas, AProgramThatStopsIsACauseOfItsOwn) {
+TEST(Atlas, AProgramThatStopsIsASeparateCause) {
   const auto views = views_of(doorways(53), {{20, 20, 10}, {20, 20, 30}, {20, 20, 50}});
   for (const std::size_t through_51 : {0U, 1U}) {
     ASSERT_TRUE(views[through_51].is_wrong());

@@ -96,7 +96,7 @@ picture::PixelSegment moved(const picture::PixelSegment& line, double by) {
   return {{line.a.x + across.x, line.a.y + across.y}, {line.b.x + across.x, line.b.y + across.y}};
 }
 
-TEST(MachinePictures, ALineOfJonesTwoPointsAsideIsFound) {
+TEST(MachinePictures, ALineOfJonesMovedByTwoPointsIsFound) {
   const CommonScene scene = common_scene("J3");
   const CrossCheckView& view = scene.views.front();
   auto builds = *jones_on_pdp7(scene, view, true);
@@ -122,7 +122,7 @@ TEST(MachinePictures, OtherDisplayWordsAreFound) {
   EXPECT_TRUE(verdict.text.starts_with("1 fraction bits")) << verdict.text;
 }
 
-TEST(MachinePictures, ADotMoreAndALineOfAPlotterAsideAreFound) {
+TEST(MachinePictures, AnExtraDotAndAMovedLineOfAPlotterAreFound) {
   const CommonScene scene = common_scene("H1");
   const auto pictures = skala_pictures(*scene.heights, program_view(scene));
   std::vector<SkalaInk> dot_more{pictures[0]};

@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Agreement, AgreementOn,
                                           testing::Range(std::size_t{0}, pair_count())),
                          agreement_name);
 
-TEST(CommonScenes, ArePossibleAndParallelViewsBeginBeforeThem) {
+TEST(CommonScenes, AreValidAndParallelViewsBeginInFrontOfThem) {
   for (const std::string_view name : common_scene_names()) {
     const CommonScene scene = common_scene(name);
     EXPECT_EQ(scene.name, name);

@@ -47,7 +47,7 @@ PixelGrid united(PixelGrid a, const PixelGrid& b) {
   return a;
 }
 
-TEST(Type340Points, AreThoseOfTheRateMultiplier) {
+TEST(Type340Points, EqualThoseOfTheRateMultiplier) {
   // 5 = 4 + 1 and 3 = 2 + 1 in seven pulses: the first stage passes the 4s at pulses 1, 3, 5, 7, the second the 2s at
   // 2 and 6, the third the units at 4.
   const Places expected{{10, 20}, {11, 20}, {11, 21}, {12, 21}, {13, 22}, {14, 22}, {14, 23}, {15, 23}};
@@ -71,7 +71,7 @@ TEST(Type340Points, ALineOfNoLength) {
   EXPECT_EQ(lit(type340_points(dot, LongLines::turn)), (Places{{5, 7}}));
 }
 
-TEST(Type340Points, LongLinesAreDividedAsTheirProgramsDo) {
+TEST(Type340Points, LongLinesAreDividedAsByTheirPrograms) {
   const auto in_words = [](const std::vector<std::pair<int, int>>& words) {
     std::vector<PixelSegment> lines;
     double x = 50;
@@ -100,7 +100,7 @@ std::vector<PixelSegment> pieces_of(const programs::jones::TwinView& view) {
   return pieces;
 }
 
-TEST(Type340Points, OfJonesPiecesAreTheFlashesOfHisProgram) {
+TEST(Type340Points, OfJonesPiecesEqualTheFlashesOfHisProgram) {
   for (const char* name : {"house", "roberts", "corridor8"}) {
     const auto program = programs::jones::Prepared::of(scene::builtin_scene(name));
     ASSERT_TRUE(program) << name;
@@ -151,7 +151,7 @@ TEST(CompareFlashes, OfHisProgramAndExactLines) {
   }
 }
 
-TEST(Type340Points, OfTurningLinesAreTheFlashesOfTheProgram) {
+TEST(Type340Points, OfTurningLinesEqualTheFlashesOfTheProgram) {
   const auto turning = Turning::of(*scene::generate_scene("boxes", 3, 1));
   ASSERT_TRUE(turning);
   const auto shown = turning->draw(40000);
@@ -194,7 +194,7 @@ TEST(SkalaPoints, OfOneLineByHand) {
   EXPECT_EQ(lit(skala_points(line(3, 3, 7, 5, {{0.25, 0.6}}), SkalaDevice::plotter)), (Places{{4, 4}, {5, 4}}));
 }
 
-TEST(SkalaPoints, AreTheProgramsWhereNothingIsHidden) {
+TEST(SkalaPoints, EqualTheProgramsIfNothingIsHidden) {
   for (const double rotation : {0.0, 33.0}) {
     algorithms::skala::View view;
     view.rotation = rotation;
@@ -210,7 +210,7 @@ TEST(SkalaPoints, AreTheProgramsWhereNothingIsHidden) {
   }
 }
 
-TEST(LinesAsDrawn, TakesPiecesForWhatIsSeen) {
+TEST(LinesAsDrawn, TreatsPiecesAsVisibleParts) {
   const std::vector<picture::ReferenceLine> lines{{7, {{0, 0}, {10, 0}}, {{0, 1}}, {{0, 1}}},
                                                   {9, {{0, 0}, {0, 8}}, {{0, 1}}, {{0, 1}}}};
   const std::vector<picture::DrawnPiece> pieces{{7, {{5, 0.1}, {2, 0}}}, {7, {{4, 0}, {6, 0}}}, {8, {{0, 0}, {1, 1}}}};
@@ -223,7 +223,7 @@ TEST(LinesAsDrawn, TakesPiecesForWhatIsSeen) {
   EXPECT_EQ(visible_segments(drawn).size(), 1U);
 }
 
-TEST(StripesPenPoints, AreThoseOfTheProgram) {
+TEST(StripesPenPoints, EqualThoseOfTheProgram) {
   const scene::PolyScene scene = scene::poly_scene_of(scene::builtin_scene("roberts"));
   programs::stripes::View view;
   view.camera = scene.camera;

@@ -55,7 +55,7 @@ TEST(FaceTruth, EachOfTwoFacesInOnePlaneIsRightWhereTheyOverlap) {
 }
 
 // A sheet in the plane x = 0 is seen along its edges in z at half a turn and at none: exact methods have no piece of them there.
-TEST(Turning, EdgesSeenEndOnAreNoDifference) {
+TEST(Turning, EdgesSeenEndOnAreNotADifference) {
   scene::PolyScene scene;
   add_sheet(scene, {{0, 0, 0}, {0, 10, 0}, {0, 10, 10}, {0, 0, 10}});
   add_sheet(scene, {{-5, 0, 20}, {5, 0, 20}, {5, 10, 20}, {-5, 10, 20}});

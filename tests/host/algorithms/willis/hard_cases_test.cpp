@@ -242,7 +242,7 @@ std::size_t expect_in_order(const Model& model, const Point& eye) {
 }
 
 // Eyes on circles of three radii, one a degree.
-TEST(WillisHardCases, W12AnyCornerMayStandForAPiece) {
+TEST(WillisHardCases, W12AnyCornerMayRepresentAPiece) {
   const Model model = model_of(hard_case_scene("W12.json"));
   std::size_t pairs = 0;
   for (const double radius : {300.0, 1500.0, 40000.0}) {
@@ -256,7 +256,7 @@ TEST(WillisHardCases, W12AnyCornerMayStandForAPiece) {
   EXPECT_GT(pairs, 1000U);
 }
 
-TEST(WillisHardCases, W14RightAnglesCountAsWithin90) {
+TEST(WillisHardCases, W14RightAnglesAreWithin90) {
   const auto sides = sides_of("W14.json");
   EXPECT_EQ(geometry::dot(sides[0].plane.normal, sides[2].plane.normal), 0);
   int can = 0;

@@ -169,7 +169,7 @@ TEST(WillisModel, LimitsAreNamed) {
 }
 
 // The bound is on the number that a model without it counts.
-TEST(WillisModel, MoreTestsThanTheLimitAreRefused) {
+TEST(WillisModel, MoreTestsThanTheLimitAreAnError) {
   const scene::PolyScene scene = scene::generate_boxes(20);
   ModelOptions options;
   const auto whole = make_model(scene, options);
@@ -224,7 +224,7 @@ TEST(WillisModel, SmallSeparatedScenes) {
   expect_right(scene::generate_prisms(5, 1, 150), {.rules = {BoundaryShape::oval, false}});
 }
 
-TEST(WillisModel, PlanRefusesWhatIsNoWall) {
+TEST(WillisModel, PlanAcceptsOnlyWalls) {
   EXPECT_FALSE(make_model(scene::generate_triangles(3), {.plan = true}));
   const Model model = model_of(scene::generate_town(4), {.plan = true});
   scene::PolyCamera camera = scene::generate_town(4).camera;

@@ -74,7 +74,7 @@ void expect_exact(const scene::PolyScene& scene, const Setting& setting, const M
   EXPECT_EQ(drawn(model, setting, representatives), picture) << scene.name;
 }
 
-TEST(WillisPicture, ScenesAgainstTheNearestFace) {
+TEST(WillisPicture, ScenesMatchTheNearestFace) {
   expect_exact(scene::generate_boxes(8), setting_at({1013, 987, -1507}, 128));
   expect_exact(scene::generate_town(5), setting_at({1511, 397, -1493}, 128));
   expect_exact(scene::generate_touch(2), setting_at({903, 1107, -1301}, 128));
@@ -93,7 +93,7 @@ TEST(WillisPicture, PrismTownFromWithinInPlan) {
 }
 
 // At a size at which every gap between pieces would show as a hole in a face.
-TEST(WillisPicture, NothingShowsBetweenPieces) {
+TEST(WillisPicture, NoGapsBetweenPieces) {
   const scene::PolyScene scene = scene::generate_boxes(8);
   const auto made = make_model(scene);
   const Setting setting = setting_at({1013, 987, -1507}, 1500);

@@ -102,7 +102,7 @@ std::string refusal(std::string from, std::string to) {
   return read ? "" : read.error().message();
 }
 
-TEST(HardCaseManifest, DamageIsRefusedWithFileAndPlace) {
+TEST(HardCaseManifest, DamageIsReportedWithFileAndPosition) {
   EXPECT_EQ(refusal("\"id\": \"J1\"", "\"id\": 1"),
             "manifest.json: groups[0].cases[0].id: expected a string of up to 400 printable ASCII "
             "characters, found 1");
@@ -154,7 +154,7 @@ TEST(FirstFailures, AreFoundByTryingEachAndByBisection) {
 }
 
 // The judge of lines must be able to say no.
-TEST(HardCaseRunner, SegmentsAreSeenWholeInPartOrNotAtAll) {
+TEST(HardCaseRunner, SegmentsAreVisibleCompletelyPartlyOrNotAtAll) {
   scene::PolyScene scene;
   scene.vertices = {{0, 0, 5}, {10, 0, 5}, {20, 0, 5}, {0, 7, 5}};
   const SceneSegment segment{{{20, 0, 5}, {0, 0, 5}}};
@@ -168,7 +168,7 @@ TEST(HardCaseRunner, SegmentsAreSeenWholeInPartOrNotAtAll) {
 }
 
 // And so must the runner: with another expectation than the right one every kind of case is wrong.
-TEST(HardCaseRunner, FindsWhatIsNotAsExpected) {
+TEST(HardCaseRunner, FindsUnexpectedResults) {
   const auto finding = [](HardCase hard, const char* method) {
     return CaseRun(hard, load_input(hard)).run(method);
   };
