@@ -1,5 +1,4 @@
-// `sightline asm i8080` and `disasm i8080`: formats, options, and that nothing is written when there is an
-// error.
+// `sightline asm i8080` and `disasm i8080`: formats, options, and no output after an error.
 #include "tests/host/app/command_line.hpp"
 
 namespace {

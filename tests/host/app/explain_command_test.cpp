@@ -1,4 +1,4 @@
-// `sightline explain`: its files, its help, and what it says of wrong usage.
+// `sightline explain`: its files, its help, and usage errors.
 #include <filesystem>
 #include <sstream>
 
@@ -111,7 +111,7 @@ TEST_F(ExplainCommand, AFullDiskIsAnError) {
   EXPECT_EQ(ran.exit_code, 5) << ran.err;
 }
 
-// The examples of the help are commands that run, those of each algorithm and those of all.
+// The examples in the help of each algorithm and in the common help run.
 TEST_F(ExplainCommand, ExamplesOfTheHelpRun) {
   NEEDS_OPTIMISED_CODE();
   std::vector<Arguments> pages{{"explain", "--help"}};

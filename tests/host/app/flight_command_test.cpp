@@ -41,7 +41,7 @@ TEST_F(FlightCommand, ReportsTheExcessPiecesOfAModelAndSeparatesTouchingSolids) 
   EXPECT_EQ(ran.exit_code, 4);
   EXPECT_TRUE(has(ran.err, "town-60: 719 pieces, 464 more than the machine holds; body")) << ran.err;
   EXPECT_TRUE(has(ran.err, "--pieces")) << ran.err;
-  // Solids that touch are kept apart by planes.
+  // Touching solids are separated by planes.
   const Ran cells = sightline({"flight", "touch-2", "--json", "-o", "p"});
   ASSERT_EQ(cells.exit_code, 0) << cells.err;
   EXPECT_GT(json::parse(cells.out).at("planes"), 0);

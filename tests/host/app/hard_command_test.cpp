@@ -1,4 +1,4 @@
-// `sightline hard`: lists, runs and draws the hard cases, and what a user gets wrong.
+// `sightline hard`: lists, runs and draws the hard cases, and usage errors.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -47,13 +47,13 @@ TEST_F(HardCommand, GivesJson) {
   ASSERT_EQ(document["cases"].size(), 1U);
   EXPECT_EQ(document["cases"][0]["compare"], "sightline compare S11.csv --along x --rotate 0 --elevate 0");
   EXPECT_EQ(document["cases"][0]["methods"].size(), 4U);
-  // The guest moves a crossing by more than a column, where slopes differ by a quarter.
+  // The guest moves a crossing by more than a column if slopes differ by a quarter.
   ASSERT_EQ(document["families"].size(), 2U);
   EXPECT_EQ(document["families"][0]["builds"][0]["name"], "guest");
   EXPECT_EQ(document["families"][0]["builds"][0]["first_failure"], 4);
 }
 
-// Of a line that is drawn although it is hidden: dark at the right place of the second panel only, and blue in the third.
+// A hidden line that is drawn: dark at its place only in the second panel, and blue in the third.
 TEST_F(HardCommand, WritesInputsAndPictures) {
   const auto ran = sightline({"hard", "S8-backwards", "P22", "-o", "to"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;

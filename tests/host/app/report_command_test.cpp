@@ -1,4 +1,4 @@
-// `sightline report` as a user runs it: the page and tables of one part, and what is refused.
+// `sightline report` as a user runs it: the page and tables of one part, and errors.
 #include <nlohmann/json.hpp>
 
 #include "tests/host/app/command_line.hpp"

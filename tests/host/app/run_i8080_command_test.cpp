@@ -1,5 +1,4 @@
-// `sightline run i8080`: reports and files, CP/M programs on standard output, devices, every kind of bad
-// input.
+// `sightline run i8080`: reports and files, CP/M programs on standard output, devices, every kind of bad input.
 //
 // Programs are given as bytes; expected T-states are sums over opcode-timing.csv.
 #include <sys/stat.h>
@@ -103,7 +102,7 @@ TEST_F(RunI8080Command, AComFileWithoutCpmIsWarnedAbout) {
   EXPECT_EQ(run({"hello.bin@100", "--start", "100", "--max-instructions", "3"}).err, "");
 }
 
-// As on the PDP-7. INR A; INX H; MOV M,A; PUSH PSW; JMP 0.
+// Like the test of the PDP-7. INR A; INX H; MOV M,A; PUSH PSW; JMP 0.
 TEST_F(RunI8080Command, ADumpContinuesTheRun) {
   write("loop.bin", "\x3C\x23\x77\xF5\xC3\x00\x00"sv);
   const Arguments start{"loop.bin", "--set", "SP=F000", "--set", "H=80", "--set", "INTE=1"};

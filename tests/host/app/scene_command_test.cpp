@@ -1,4 +1,4 @@
-// `sightline scene`: tape, check, info, list; scenes that are wrong are named with file, place and cause.
+// `sightline scene`: tape, check, info, list; errors in scenes name file, position and cause.
 #include <nlohmann/json.hpp>
 
 #include "tests/host/app/command_line.hpp"

@@ -1,4 +1,4 @@
-// `sightline scene` with polyhedra: generate, convert, check, info; files that are wrong are named.
+// `sightline scene` with polyhedra: generate, convert, check, info; errors in files.
 #include <sys/stat.h>
 
 #include <nlohmann/json.hpp>
@@ -126,7 +126,7 @@ TEST_F(ScenePolyCommand, ABoxWrittenInManyWays) {
 
 const std::string drawing_data = std::string(SIGHTLINE_TEST_DATA) + "/drawing/";
 
-// A cube one side of which has a vertex on the edge of another face: nine edges are seen, each 10 sqrt(2/3) long.
+// A cube with a vertex of one side on the edge of another face: nine edges are visible, each 10 sqrt(2/3) long.
 TEST_F(ScenePolyCommand, AVertexOnAnEdgeOfAnotherFace) {
   const std::string cube = drawing_data + "t-vertex-cube.obj";
   const Ran info = sightline({"scene", "info", cube});

@@ -1,5 +1,4 @@
-// `sightline skala`: pictures, figures, and what is said when
-// something is wrong.
+// `sightline skala`: pictures, figures, and errors.
 #include <nlohmann/json.hpp>
 
 #include "host/picture/png.hpp"
@@ -53,7 +52,7 @@ TEST_F(SkalaCommand, WritesAPictureAndReportsTheCost) {
   EXPECT_EQ(picture.channels, 3);
 }
 
-// The paper's figures are of drawings on a raster display with hidden parts removed: "all mentioned algorithms", conclusion.
+// The paper's figures are for drawings on a raster display without hidden parts: "all mentioned algorithms", conclusion.
 TEST_F(SkalaCommand, ThePapersFiguresAreForRastersWithoutHiddenParts) {
   for (const char* picture : {"lines", "surface", "contours"})
     EXPECT_TRUE(has(sightline({"skala", picture, "sinc", "--slices", "20"}).out, "(the paper: about 2 s)")) << picture;
@@ -133,7 +132,7 @@ TEST_F(SkalaCommand, IfOneFileCannotBeWrittenNoneIs) {
     EXPECT_FALSE(exists(name)) << name;
 }
 
-// Which the program does once whatever there is.
+// The program always looks for the board once.
 TEST_F(SkalaCommand, TheSearchForABoardIsNotReported) {
   for (const char* device : {"alt256", "calcomp", "minigraf"}) {
     const Ran ran = sightline({"skala", "lines", "sinc", "--slices", "3", "--device", device});
@@ -225,7 +224,7 @@ TEST_F(SkalaCommand, OptionsOutOfRange) {
   expect_failure({"spheres"}, 2, "lines, surface, contours");
 }
 
-// The Minigraf is stepped by the program's own waiting, which a faster processor cuts short.
+// The program's own delay loops time the Minigraf's steps; a faster processor shortens them.
 TEST_F(SkalaCommand, AClockThatThePlotterProgramDoesNotExpect) {
   expect_failure({"lines", "sinc", "--slices", "5", "--device", "minigraf", "--clock", "6000000"}, 3,
                  "made for a clock of 3 MHz");
@@ -233,7 +232,7 @@ TEST_F(SkalaCommand, AClockThatThePlotterProgramDoesNotExpect) {
                  "serial link; its timing is made for a clock of 3 MHz");
 }
 
-// A folder's name need not be UTF-8, which JSON must be.
+// A folder's name need not be UTF-8, but JSON must be.
 TEST_F(SkalaCommand, HelpTeaches) {
   const Ran ran = sightline({"skala", "--help"});
   EXPECT_EQ(ran.exit_code, 0);

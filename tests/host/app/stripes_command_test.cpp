@@ -43,7 +43,7 @@ TEST_F(StripesCommand, WritesJson) {
   EXPECT_EQ(document.at("priority_by"), "8080");
   EXPECT_EQ(document.at("plotter_seconds"), 0);
   EXPECT_LE(document.at("program_bytes").get<int>(), 4096);
-  // Pairs of 10 faces.
+  // Pairs of the 10 faces.
   int pairs = 0;
   for (const json& count : document.at("pairs_decided_by_test")) pairs += count.get<int>();
   EXPECT_EQ(pairs, 45);

@@ -1,5 +1,5 @@
-// `sightline sweep`: shards that are the whole, interruptions, threads, and what a user gets wrong. With GNU
-// parallel where it is installed (tools/dev installs it).
+// `sightline sweep`: shards that together equal the whole, interruptions, threads, and usage errors; with GNU parallel if it is
+// installed (tools/dev installs it).
 #include <sys/file.h>
 
 #include <sstream>
@@ -47,7 +47,7 @@ TEST_F(SweepCommand, ConsecutiveShardsEqualTheWhole) {
   for (const char* shard : {"1/3", "2/3", "3/3"}) joined += sightline(sweep({"--shard", shard})).out;
   const auto one = sightline(sweep({"--jobs", "1"}));
   EXPECT_EQ(joined, one.out);
-  // All lines in one file have the table of one run, and nothing is computed again.
+  // All lines in one file give the table of one run, and nothing is computed again.
   write("all.jsonl", joined);
   const auto all = sightline(sweep({"-o", "all.jsonl"}));
   EXPECT_EQ(all.exit_code, 0) << all.err;
@@ -55,7 +55,7 @@ TEST_F(SweepCommand, ConsecutiveShardsEqualTheWhole) {
   EXPECT_EQ(read("all.jsonl"), joined);
 }
 
-// The table of a guest has numbers to lose; its command shows the view that it names, with the same measures.
+// The table of a guest must keep all its numbers; the command that it prints shows the named view with the same measures.
 TEST_F(SweepCommand, TheCommandOfTheWorstViewShowsIt) {
   const Arguments command{"sweep", "house", "--views", "6", "--algorithm", "jones-twin", "-o", "s.jsonl"};
   const auto ran = sightline(command);
@@ -98,7 +98,7 @@ TEST_F(SweepCommand, ResumesAnInterruptedSweep) {
   const std::string all = whole();
   std::size_t middle = 0;
   for (int i = 0; i < 7; ++i) middle = all.find('\n', middle) + 1;
-  // Whole lines; a torn one; no line at all.
+  // Complete lines; a truncated line; no complete line.
   for (const std::size_t length : {middle, middle + 40, std::size_t{11}, std::size_t{0}, all.size()}) {
     write("s.jsonl", all.substr(0, length));
     EXPECT_EQ(sightline(sweep({"-o", "s.jsonl"})).exit_code, 0);
@@ -176,7 +176,7 @@ TEST_F(SweepCommand, SpreadByGnuParallel) {
   if (std::system("parallel --version > /dev/null 2>&1") != 0)
     GTEST_SKIP() << "GNU parallel is not installed";
   const std::string all = whole();
-  // Kept in order by parallel; then as files, put together by their names.
+  // In the order that parallel keeps; then as files, concatenated by name.
   const auto spread = [&](const std::string& options, const std::string& output) {
     return std::system(("cd '" + path("").string() + "' && parallel --will-cite -j3 " + options + " '" +
                         sightline::test::command_of_this_build() +

@@ -25,7 +25,7 @@ TEST_F(TurnCommand, WritesItsPicturesAndItsTable) {
   for (const char* file : {"p/cube-turn.apng", "p/cube-turn-phosphor.png", "p/cube-turn.strokes"}) EXPECT_TRUE(exists(file)) << file;
 }
 
-// Tilted, coordinates are 13 times as large and below 2^18 steps, here of 0.1: 2016.49 in the unit of the file.
+// When tilted, coordinates are 13 times as large and must stay below 2^18 steps, here of 0.1: 2016.49 units of the file.
 TEST_F(TurnCommand, AModelThatIsTooLargeToBeTilted) {
   write("large.off",
         "OFF\n8 6 0\n0 0 0\n5000.1 0 0\n5000.1 9 0\n0 9 0\n0 0 9\n5000.1 0 9\n5000.1 9 9\n0 9 9\n"

@@ -1,4 +1,4 @@
-// `sightline draw willis`: pictures, plans, flights, what could not be separated, and what a user gets wrong.
+// `sightline draw willis`: pictures, plans, flights, inseparable faces, and usage errors.
 #include <cstddef>
 #include <cstdint>
 #include <nlohmann/json.hpp>
@@ -13,7 +13,7 @@ using nlohmann::json;
 using sightline::test::Arguments;
 using sightline::test::has;
 
-// Two sheets that touch along an edge, one turned out of the other's plane; a third one far behind.
+// Two sheets that touch along an edge, one turned out of the other's plane; a third sheet far behind them.
 constexpr std::string_view walls = R"({"vertices":
   [[0,-10,0],[0,10,0],[10,10,0],[10,-10,0],[20,10,5],[20,-10,5],[-90,-10,90],[-90,10,90],[90,10,90],[90,-10,90]],
   "bodies": [{"sheet": true, "faces": [[0,1,2,3]]}, {"sheet": true, "faces": [[3,2,4,5]]},
@@ -33,7 +33,7 @@ class WillisCommand : public sightline::test::CommandLine {
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     return ran.exit_code == 0 ? json::parse(ran.out) : json();
   }
-  // Different colours.
+  // The number of different colours.
   std::set<std::uint32_t> colours(const std::string& file) {
     const auto png = sightline::picture::read_png(path(file).string());
     std::set<std::uint32_t> found;
@@ -90,8 +90,7 @@ TEST_F(WillisCommand, APlanNeedsFewerPieces) {
   expect_refused(4, "triangles-5", "t.png", {"--plan"}, "body 0 face 0");
 }
 
-// The vertical is the scene's, wherever the camera looks: this one looks at what stands on the ground from
-// among the roofs, more down than forward.
+// The vertical is the scene's, in any camera direction: this camera is among the roofs and looks more down than forward.
 TEST_F(WillisCommand, ThePlanAndTheFlightOfASteepView) {
   const Arguments steep{"--eye", "9973,701,-4001", "--look-at", "9973,-20000,9000"};
   Arguments plan = steep;
@@ -101,8 +100,7 @@ TEST_F(WillisCommand, ThePlanAndTheFlightOfASteepView) {
   expect_refused(4, "prisms-9", "t.png", {"--plan", "--eye", "9973,9701,-4001"},
                  "found y = 9701, expected 0 to ");
 
-  // The frames of a flight are level pictures: had it turned about another axis, it would have met the
-  // ground.
+  // The frames of a flight are level pictures: about another axis, the flight would have reached the ground.
   Arguments flight = steep;
   flight.insert(flight.end(), {"--frames", "6", "--pixels", "40x40"});
   EXPECT_EQ(draw("prisms-9", "level.apng", flight).exit_code, 0);

@@ -1,4 +1,4 @@
-// What a process of its own answers, throws, and dies of.
+// Results, exceptions and crashes of a separate process.
 #include "host/base/apart.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// JSON values: written with the bytes of nlohmann::ordered_json, read with located errors.
+// JSON values: written with the same bytes as nlohmann::ordered_json, read with located errors.
 #include "host/base/json.hpp"
 
 #include <gtest/gtest.h>

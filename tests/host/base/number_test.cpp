@@ -84,7 +84,7 @@ TEST(FixedNumber, HasNoExponentAndIsInTheRange) {
     EXPECT_FALSE(fixed_number(wrong, 0, 1)) << wrong;
 }
 
-// The library of g++ writes each number in its own way.
+// The reference is std::to_chars of g++'s library.
 TEST(ShortestNumber, EqualsTheStandardLibrary) {
   const auto expected = [](double value) {
     std::array<char, 64> digits{};
@@ -100,7 +100,7 @@ TEST(ShortestNumber, EqualsTheStandardLibrary) {
     const double any = std::bit_cast<double>(seed);
     if (std::isnan(any)) continue;
     ASSERT_EQ(shortest_number(any), expected(any)) << seed;
-    // Those that people write, and whole ones about 2^64.
+    // Common numbers, and integers around 2^64.
     const double common = static_cast<double>(static_cast<std::int64_t>(seed) >> (seed & 63U)) / std::pow(10.0, static_cast<double>(seed >> 6 & 15U));
     ASSERT_EQ(shortest_number(common), expected(common)) << seed;
     const double large = std::ldexp(static_cast<double>(seed >> 11), static_cast<int>(seed & 31U));

@@ -156,7 +156,7 @@ TEST(WillisHardCases, W13AWallThatBeginsAtTheEyeIsNotShown) {
   expect_only_the_second_wall("W13.json");
 }
 
-// Walls whose points are equally far from the eye: the order of the scene does not show.
+// Walls whose points are at equal distances from the eye: the result does not depend on the order in the scene.
 TEST(WillisHardCases, W9EqualDistances) {
   const PolyScene scene = hard_case_scene("W9.json");
   std::vector<Surface> sides = sides_of("W9.json");
@@ -173,8 +173,9 @@ TEST(WillisHardCases, W9EqualDistances) {
   EXPECT_EQ(picture(model_of(scene)), picture(model_of(std::move(sides))));
 }
 
-// Bisection: some two pieces for every halving on the way down, not a thousand. The short wall is exactly at
-// its own length, so it is cut, too.
+// Bisection makes about two pieces per halving on the way down, not a thousand. The short wall is exactly at its own length, so
+// it
+// is cut, too.
 TEST(WillisHardCases, W10PiecesByTheLogarithmOfTheLength) {
   std::array<std::size_t, 2> pieces{};
   for (const Surface& s : model_of(hard_case_scene("W10.json")).pieces) ++pieces[s.face];
@@ -207,7 +208,7 @@ TEST(WillisHardCases, W11CutWhereTheyCross) {
     for (const Surface& t : model.pieces) EXPECT_FALSE(straddles(s, t) && straddles(t, s));
 }
 
-// s hides the end b of another wall from the eye: it lies beyond s, on a line through the inside of s.
+// Whether s hides the end b of another wall from the eye: b is beyond s, on a line through the inside of s.
 bool hides_end(const Surface& s, const Point& b, const Point& eye) {
   if (s.plane.side(b) >= 0) return false;
   const auto side = [&](const Point& p) {
@@ -218,7 +219,7 @@ bool hides_end(const Surface& s, const Point& b, const Point& eye) {
   return side(s.points[0]) * side(s.points[1]) < 0;
 }
 
-// Pairs of corners of every two pieces of which one hides an end of the other; the nearer piece's is nearer.
+// Of every two pieces of which one hides an end of the other, the nearer piece's corners must be nearer.
 std::size_t expect_in_order(const Model& model, const Point& eye) {
   std::size_t pairs = 0;
   std::size_t wrong = 0;
@@ -241,7 +242,7 @@ std::size_t expect_in_order(const Model& model, const Point& eye) {
   return pairs;
 }
 
-// Eyes on circles of three radii, one a degree.
+// Eyes on circles of three radii, one per degree.
 TEST(WillisHardCases, W12AnyCornerMayRepresentAPiece) {
   const Model model = model_of(hard_case_scene("W12.json"));
   std::size_t pairs = 0;
@@ -269,8 +270,8 @@ TEST(WillisHardCases, W14RightAnglesAreWithin90) {
   EXPECT_GT(can, 0);
 }
 
-// Points wrong, without those beside other faces, in the worst of the pictures with the first and with the
-// second corner of each piece.
+// The number of wrong points, without those next to other faces, in the worst of the pictures in which the first or the second
+// corner represents each piece.
 int most_wrong(const Model& model, const PolyScene& scene, int size) {
   const picture::PixelGrid truth = oracle::nearest_faces(scene, {scene.camera, size, size});
   const auto inside = [&](int column, int row) {
@@ -292,7 +293,7 @@ int most_wrong(const Model& model, const PolyScene& scene, int size) {
   return most;
 }
 
-// With the rule there is no cluster, and the order is wrong; without it the walls are cut until it is right.
+// With the rule there is no cluster, and the order is wrong; without it the walls are cut until the order is correct.
 TEST(WillisHardCases, W14Beyond90DegreesTheRuleIsWrong) {
   const PolyScene scene = hard_case_scene("W14-beyond.json");
   std::vector<Surface> seen;
@@ -307,7 +308,7 @@ TEST(WillisHardCases, W14Beyond90DegreesTheRuleIsWrong) {
   EXPECT_EQ(most_wrong(model, scene, 128), 0);
 }
 
-// Side 0 of the first wall is seen from before z = 0, where the second one's other end is not.
+// Side 0 of the first wall is visible from in front of z = 0, from where the second wall's other end is not.
 TEST(WillisHardCases, W15OnThePlaneIsNotBehindIt) {
   const auto sides = sides_of("W15.json");
   const auto hidden = [&](std::size_t by, std::size_t wall) {

@@ -1,6 +1,6 @@
-// The manifest of the hard cases: it is read whole, what is damaged is refused with file and place, its
-// inputs and the tests it names exist. And the search for a first failure, on builds that fail where one
-// says.
+// The manifest of the hard cases: it is read completely, damage is reported with file and position, its inputs and the tests that
+// it
+// names exist. Also the search for a first failure, on builds that fail at given values.
 #include "host/compare/hard_cases/manifest.hpp"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ TEST(HardCaseManifest, HasEveryCase) {
   }
 }
 
-// Every file is some case's, every case's input is there, and a method is known.
+// Every file belongs to a case, every case's input exists, and its method is known.
 TEST(HardCaseManifest, InputsAndMethodsExist) {
   std::set<std::string> used{std::string(file)};
   for (const HardCaseGroup& group : manifest().groups) {
@@ -67,7 +67,7 @@ TEST(HardCaseManifest, InputsAndMethodsExist) {
   for (const auto& [name, text] : hard_case_files()) EXPECT_TRUE(used.contains(std::string(name))) << name;
 }
 
-// What the page says is checked by a test is: its name stands in the sources.
+// The tests that the page names exist: their names occur in the sources.
 TEST(HardCaseManifest, NamedTestsExist) {
   std::string sources;
   for (const auto& entry :
@@ -167,7 +167,7 @@ TEST(HardCaseRunner, SegmentsAreVisibleCompletelyPartlyOrNotAtAll) {
   EXPECT_EQ(seen_of({{{0, 1, 5}, {20, 1, 5}}}, picture, scene), SegmentSeen::nothing);
 }
 
-// And so must the runner: with another expectation than the right one every kind of case is wrong.
+// So must the runner: with a changed expectation every kind of case fails.
 TEST(HardCaseRunner, FindsUnexpectedResults) {
   const auto finding = [](HardCase hard, const char* method) {
     return CaseRun(hard, load_input(hard)).run(method);
