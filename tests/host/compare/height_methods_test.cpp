@@ -36,7 +36,7 @@ TEST(HeightMethods, ProgramsDrawTheOraclesDots) {
   }
 }
 
-TEST(HeightMethods, SayWhatTheyHaveNoPictureOf) {
+TEST(HeightMethods, ReportWhatTheyCannotDraw) {
   scene::HeightGrid grid = hills();
   algorithms::skala::View zoomed;
   zoomed.zoom = 3;

@@ -58,7 +58,7 @@ TEST(HeightLines, NothingOfAPlaneIsHiddenAndHalfOfARidgeIs) {
   EXPECT_NEAR(back, 255, 1e-6) << "the ridge, and not the slice behind it";
 }
 
-TEST(HeightLines, APieceLeftOutIsMissing) {
+TEST(HeightLines, AnOmittedPieceIsMissing) {
   const auto grid = sampled("peaks", {21, 21});
   const algorithms::skala::View view = view_of(algorithms::skala::Subject::contours, 30);
   const HeightLines lines(grid, view);
@@ -86,7 +86,7 @@ TEST(HeightLines, APieceLeftOutIsMissing) {
   EXPECT_GT(picture::line_metrics(lines.lines(), lines.pieces_of(drawing)).extra, less.extra);
 }
 
-TEST(CompareHeights, NativeLinesAndContoursAreWhatIsSeen) {
+TEST(CompareHeights, NativeLinesAndContoursAreTheVisibleParts) {
   for (const char* name : {"sinc", "peaks", "saddle"}) {
     for (const auto picture : {algorithms::skala::Subject::lines, algorithms::skala::Subject::contours}) {
       for (const double rotation : {0.0, 30.0, 180.0, 257.0}) {
@@ -137,7 +137,7 @@ TEST(CompareHeights, ASurfaceShowsTheNearestCell) {
   }
 }
 
-TEST(CompareHeights, AProgramsRoundingIsSeen) {
+TEST(CompareHeights, AProgramsRoundingIsMeasured) {
   const HeightComparison comparison = compare_heights(sampled("sinc", {33, 30}), view_of(algorithms::skala::Subject::lines, 30));
   ASSERT_EQ(comparison.rasters.size(), 3U);
   for (const std::size_t program : {0U, 1U}) {
@@ -161,7 +161,7 @@ TEST(CompareHeights, AProgramsRoundingIsSeen) {
   EXPECT_FALSE(comparison.chord) << "nothing to sample";
 }
 
-TEST(CompareDevices, DrawExactLinesButForRounding) {
+TEST(CompareDevices, DrawExactLinesWithinRounding) {
   const auto devices = compare_devices(sampled("peaks", {21, 25}), view_of(algorithms::skala::Subject::lines, 30));
   ASSERT_EQ(devices.size(), 4U);
   for (const ComparedDevice& device : devices) {
@@ -210,7 +210,7 @@ TEST(ChordError, OfAParabola) {
   EXPECT_FALSE(chord_error(HeightLines(grid, view), grid, view, {}));
 }
 
-TEST(ChordError, IsThatOfWhatIsSeen) {
+TEST(ChordError, IsThatOfTheVisibleParts) {
   // A wall in front of a needle between two samples.
   const auto function = [](double needle) {
     return [needle](scene::GridSize size) {

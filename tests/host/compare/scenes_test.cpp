@@ -29,7 +29,7 @@ namespace {
 namespace oracle = algorithms::oracle;
 using picture::LineMetrics;
 
-TEST(SeenEdge, IsCutToTheFrameAndProjected) {
+TEST(SeenEdge, IsClippedToTheFrameAndProjected) {
   const scene::PolyCamera camera;  // at the origin, along z
   ScreenFrame frame;               // 512 pixels at 45 degrees, 0..1023 around 512
   // Half of it is behind the near plane: z runs from -9 to 11, and is 1 at s = 0.5.
@@ -57,7 +57,7 @@ void expect_nothing(const LineMetrics& m) {
   EXPECT_EQ(m.pieces_different, 0U);
 }
 
-TEST(ExactPictures, AreNothingApartFromThemselves) {
+TEST(ExactPictures, HaveNoErrorComparedWithThemselves) {
   for (const bool perspective : {true, false}) {
     scene::PolyScene scene = scene::generate_boxes(20, 5);
     scene.camera.perspective = perspective;
@@ -141,7 +141,7 @@ double covered_length(const std::vector<oracle::ScreenSegment>& segments) {
 }
 
 // The truth of a scene of cells, once by the lines of the comparison and once by the oracle's own segments.
-TEST(ImageLinesOfCells, HaveTheLengthTheOracleSees) {
+TEST(ImageLinesOfCells, HaveTheLengthOfTheOracle) {
   for (const char* name : {"house", "roberts", "street4", "corridor8"}) {
     SCOPED_TRACE(name);
     const scene::CellScene scene = scene::builtin_scene(name);
@@ -154,7 +154,7 @@ TEST(ImageLinesOfCells, HaveTheLengthTheOracleSees) {
     for (const auto& line : image.lines()) {
       measured += picture::total(line.visible) * picture::length_of(line.image);
       EXPECT_TRUE(ids.insert(line.id).second);
-      EXPECT_NEAR(picture::total(picture::without(line.visible, line.edges)), 0, 1e-9) << "only edges are seen";
+      EXPECT_NEAR(picture::total(picture::without(line.visible, line.edges)), 0, 1e-9) << "only edges are visible";
     }
     const double length = covered_length(oracle::on_screen(*oracle::visible_lines(scene, eye, screen()), eye, screen()));
     EXPECT_GT(length, 1000);
@@ -190,7 +190,7 @@ TEST(CompareCellScene, HasOneTrueLengthForAllRows) {
   }
 }
 
-TEST(LinesOfVectors, AreTheScenesLines) {
+TEST(LinesOfVectors, EqualTheScenesLines) {
   for (const char* name : {"house", "roberts", "street4", "corridor8"}) {
     SCOPED_TRACE(name);
     const scene::CellScene scene = scene::builtin_scene(name);
@@ -237,7 +237,7 @@ const ComparedPicture& picture_named(const SceneComparison& comparison, std::str
                        [name](const ComparedPicture& p) { return p.name == name; });
 }
 
-TEST(CompareCellScene, GuestIsTwinAndExactIsExact) {
+TEST(CompareCellScene, GuestEqualsTwinAndExactIsExact) {
   const SceneComparison comparison = compared("roberts");
   EXPECT_TRUE(comparison.agrees());
   ASSERT_TRUE(comparison.guest);
@@ -269,7 +269,7 @@ TEST(CompareCellScene, TakesEyeAndScale) {
   EXPECT_FALSE(compare_cell_scene(scene::builtin_scene("house"), options));
 }
 
-TEST(ComparePolyScene, RefusesAnEyeInASolid) {
+TEST(ComparePolyScene, RejectsAnEyeInASolid) {
   const scene::PolyScene scene = scene::generate_boxes(3);
   scene::PolyCamera camera = scene.camera;
   EXPECT_TRUE(compare_poly_scene(scene, camera)->agrees());
@@ -279,7 +279,7 @@ TEST(ComparePolyScene, RefusesAnEyeInASolid) {
 }
 
 // Seen level, the tops and bottoms of boxes are lines: of edges behind each other the nearest is drawn.
-TEST(ComparePolyScene, OfEdgesThatLieOnEachOtherInTheImageOneIsEnough) {
+TEST(ComparePolyScene, OfEdgesThatCoincideInTheImageOneIsEnough) {
   scene::PolyScene scene = scene::generate_boxes(8);
   scene::PolyCamera camera = scene.camera;
   camera.perspective = false;
@@ -343,7 +343,7 @@ TEST(CompareTurn, AnglesOfTheMachineAreThoseOfCameras) {
 }
 
 // A flash is no farther than the machine's words and the wandering of its beam explain (host/programs/turn/precision.hpp).
-TEST(CompareTurn, IsItsTwinAndNearTheExactLines) {
+TEST(CompareTurn, EqualsItsTwinAndIsNearTheExactLines) {
   for (const std::uint32_t angle : {0U, 26843U, 40000U, 123456U, 262143U}) {
     const auto check = check_turn(scene::generate_boxes(5, 3), angle);
     ASSERT_TRUE(check) << check.error().message();
@@ -367,7 +367,7 @@ TEST(CompareTurn, IsItsTwinAndNearTheExactLines) {
 }
 
 // Of a box seen level: three upright edges, and its top and its bottom as one line each, in which two or more edges lie on each other.
-TEST(CompareTurn, LinesThatLieOnEachOtherCountOnce) {
+TEST(CompareTurn, CoincidentLinesCountOnce) {
   scene::PolyScene box;
   box.vertices = {{-10, 0, -5}, {10, 0, -5}, {10, 60, -5}, {-10, 60, -5}, {-10, 0, 5}, {10, 0, 5}, {10, 60, 5}, {-10, 60, 5}};
   box.bodies = {{"", true, {{{3, 2, 1, 0}, {}}, {{4, 5, 6, 7}, {}}, {{0, 1, 5, 4}, {}}, {{1, 2, 6, 5}, {}}, {{2, 3, 7, 6}, {}}, {{3, 0, 4, 7}, {}}}}};
@@ -404,7 +404,7 @@ TEST(SceneComparison, DoesNotAgreeIfAnyoneIsWrong) {
   EXPECT_FALSE(comparison.agrees());
 }
 
-TEST(CompareHeights, TwinAndGuestAreTheOraclesPictureAndNativeIsNear) {
+TEST(CompareHeights, TwinAndGuestEqualTheOracleAndNativeIsNear) {
   const auto grid = scene::sample(*scene::height_function("sinc"), {33, 60});
   algorithms::skala::View view;
   view.rotation = 30;
@@ -420,7 +420,7 @@ TEST(CompareHeights, TwinAndGuestAreTheOraclesPictureAndNativeIsNear) {
   EXPECT_LT(native.interior_mismatch(), 0.01);
 }
 
-TEST(CompareHeights, SaysWhatItCannotCompare) {
+TEST(CompareHeights, ReportsWhatItCannotCompare) {
   auto grid = scene::sample(*scene::height_function("sinc"), {9, 9});
   algorithms::skala::View view;
   EXPECT_FALSE(why_not_comparable(grid, view));

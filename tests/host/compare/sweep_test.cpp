@@ -83,7 +83,7 @@ TEST(Algorithms, AgreeOnEveryFamily) {
 }
 
 // In parallel projection along level directions Plantinga's method and the solid turning on the PDP-7 draw every view.
-TEST(Sweep, LevelViewsAreDrawnByTurns) {
+TEST(Sweep, MethodsOfTurnsDrawLevelViews) {
   const scene::PolyScene scene = generated("boxes", 3);
   SweepOptions options;
   options.methods = {"exact", "plantinga", "turn-pdp7"};
@@ -145,7 +145,7 @@ TEST(SweepViews, OfCellsTurnInAllDirections) {
     const scene::PolyCamera straight = sweep_camera(scene, &cells, false, 3, k);
     EXPECT_TRUE(looks_along_z(straight));
     const scene::PolyCamera turned = sweep_camera(scene, &cells, true, 3, k);
-    EXPECT_EQ(turned.eye, straight.eye) << "the same places";
+    EXPECT_EQ(turned.eye, straight.eye) << "the same positions";
     EXPECT_EQ(turned, sweep_camera(scene, &cells, true, 3, k));
     along_z += looks_along_z(turned) ? 1 : 0;
     orthographic += turned.perspective ? 0 : 1;
@@ -174,7 +174,7 @@ TEST(Sweep, TurnedViewsAgree) {
   EXPECT_FALSE(sweep_of(scene, options, &cells).is_line(0, turned));
 }
 
-TEST(Sweep, SaysWhyAMethodDoesNotApply) {
+TEST(Sweep, ReportsWhyAMethodDoesNotApply) {
   const scene::CellScene cells = scene::builtin_scene("house");
   const scene::PolyScene scene = scene::poly_scene_of(cells);
   const auto reason = [&](const char* method, const scene::CellScene* of_cells, Directions directions) {
@@ -194,7 +194,7 @@ TEST(Sweep, SaysWhyAMethodDoesNotApply) {
   EXPECT_EQ(reason("turn-pdp7", nullptr, Directions::usual), "");
 }
 
-TEST(Sweep, ShardsAreTheWhole) {
+TEST(Sweep, ShardsEqualTheWhole) {
   for (const std::uint64_t views : {1U, 7U, 100U})
     for (const std::uint64_t count : {1U, 2U, 3U, 7U, 150U}) {
       std::uint64_t next = 0;
@@ -208,7 +208,7 @@ TEST(Sweep, ShardsAreTheWhole) {
     }
 }
 
-TEST(Sweep, KnowsItsOwnLines) {
+TEST(Sweep, RecognisesItsOwnLines) {
   const scene::PolyScene scene = generated("boxes", 3);
   SweepOptions options;
   const Sweep sweep = sweep_of(scene, options);
@@ -327,7 +327,7 @@ TEST(Sweep, DiagnosesWhatAnExactMethodMisses) {
   EXPECT_FALSE(piece_difference(right, right).first.has_value());
 }
 
-TEST(Sweep, TheGuestAgainstItsTwin) {
+TEST(Sweep, TheGuestEqualsItsTwin) {
   const scene::CellScene cells = scene::builtin_scene("house");
   const scene::PolyScene scene = scene::poly_scene_of(cells);
   SweepOptions options;

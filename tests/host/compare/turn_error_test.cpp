@@ -20,7 +20,7 @@ std::vector<double> around(int frames) {
   return angles;
 }
 
-TEST(TurnError, ExactEventsHaveNoneAndJoinedOnesSome) {
+TEST(TurnError, ExactEventsHaveNoErrorAndJoinedOnesSome) {
   const plantinga::RotationModel model(scene::generate_boxes(5, 3));
   const auto frames = exact_frames(model, around(90));
   const auto exact = plantinga::build_event_list(model, {});
@@ -41,7 +41,7 @@ TEST(TurnError, ExactEventsHaveNoneAndJoinedOnesSome) {
 }
 
 // A frame half a turn away is another picture.
-TEST(TurnError, ShownIsTheFrameThatIsMeasured) {
+TEST(TurnError, TheShownFrameIsTheMeasuredOne) {
   const plantinga::RotationModel model(scene::generate_boxes(5, 3));
   const auto frames = exact_frames(model, around(12));
   const auto list = plantinga::build_event_list(model, {});

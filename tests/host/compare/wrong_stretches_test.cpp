@@ -41,7 +41,7 @@ TEST(WrongStretches, APictureIsRightWithinTheDistance) {
 }
 
 // A point beyond each end of what is drawn is forgiven.
-TEST(WrongStretches, AGapIsMissingButForAPointAtItsEnds) {
+TEST(WrongStretches, AGapIsMissingExceptForAPointAtItsEnds) {
   const WrongStretches wrong = wrong_of({row_piece(600, 700)}, {row_piece(600, 620), row_piece(650, 700)});
   EXPECT_NEAR(wrong.true_length, 100, 1e-9);
   EXPECT_NEAR(wrong.missing, 28, 1e-9);
@@ -57,7 +57,7 @@ TEST(WrongStretches, AGapIsMissingButForAPointAtItsEnds) {
 
 // The lines y = 100, z = 512 and y = 200, z = 1024 have one image, and so have, from an eye at their height,
 // one parallel to x and one parallel to z.
-TEST(WrongStretches, LinesOfOneImageCountOnce) {
+TEST(WrongStretches, LinesWithTheSameImageCountOnce) {
   const std::vector<ImagePiece> truth{row_piece(600, 700), row_piece(650, 750, 200, 1024)};
   EXPECT_NEAR(wrong_of(truth, {}).true_length, 150, 1e-9);
   EXPECT_NEAR(wrong_of(truth, {}).missing, 150, 1e-9);
@@ -70,13 +70,13 @@ TEST(WrongStretches, LinesOfOneImageCountOnce) {
   EXPECT_NEAR(wrong_of({column, upright}, {}).true_length, 100, 1e-9);
 }
 
-TEST(WrongStretches, TheShortestAreLeftOut) {
+TEST(WrongStretches, TheShortestAreOmitted) {
   EXPECT_EQ(wrong_of({row_piece(600, 601.2)}, {row_piece(600, 600)}).length(), 0);
   EXPECT_NEAR(wrong_of({row_piece(600, 601.3)}, {row_piece(600, 600)}).missing, 0.3, 1e-9);
 }
 
 // Sampled in steps of a 200th of a point: the oracle's measure of the picture enlarged 50 times.
-TEST(WrongStretches, AreThoseThatSamplingFinds) {
+TEST(WrongStretches, EqualThoseFoundBySampling) {
   constexpr double enlarged = 50;
   programs::jones::Dice dice(7);
   const auto place = [&dice] { return dice(0, 400) / 4.0; };

@@ -61,7 +61,7 @@ void expect_lawful(const Lesson& lesson, const std::string& what) {
 
 class Lessons : public testing::TestWithParam<std::string> {};
 
-TEST_P(Lessons, AreLawfulOnEveryScene) {
+TEST_P(Lessons, SatisfyTheLawsOnEveryScene) {
   const Explainer& explainer = *find_explainer(GetParam());
   if (explainer.heights != nullptr) {
     for (const scene::HeightFunction& function : scene::height_functions()) {
@@ -152,7 +152,7 @@ TEST(Lessons, OfJonesVisitTheCellsThatTheProgramVisits) {
 
 // The state of house at the end of Jones's lesson: no cell waits and none is the step's. On the way every portal that a visit meets is in one
 // count and no other, and a step names those that lead back towards the eye.
-TEST(Lessons, OfJonesTellEveryPortalOnce) {
+TEST(Lessons, OfJonesCountEveryPortalOnce) {
   for (const std::string name : {"house", "street4", "boxes-3"}) {
     const scene::LoadedScene source = loaded(name);
     const auto lesson = explain_scene(*find_explainer("jones"), source, source.scene.camera);
@@ -286,7 +286,7 @@ TEST(PlanStage, HasAnArrowInTheDirectionOfView) {
 }
 
 // A lesson that has no room for more ends the search there, and says so.
-TEST(Lessons, OfJonesEndWhereTheyAreTooMany) {
+TEST(Lessons, OfJonesStopAtTheLimit) {
   const scene::LoadedScene source = loaded("boxes-40");
   const auto lesson = explain_scene(*find_explainer("jones"), source, source.scene.camera);
   ASSERT_TRUE(lesson);
@@ -295,7 +295,7 @@ TEST(Lessons, OfJonesEndWhereTheyAreTooMany) {
 }
 
 // A lesson of a turn begins and ends with the picture of `exact`, and passes every event once.
-TEST(Lessons, OfATurnAreOfTheExactPicture) {
+TEST(Lessons, OfATurnBeginAndEndWithTheExactPicture) {
   for (const char* const name : {"house", "roberts", "boxes-4", "triangles-8"}) {
     scene::PolyScene scene = loaded(name).scene;
     scene.camera = {false, {0, 0, 0}, {-271, 0, 314}, {314, 0, 271}, {0, 1, 0}};
@@ -377,7 +377,7 @@ TEST(Lessons, OfATurnAreNotMirrored) {
   }
 }
 
-TEST(Lessons, OfAPerspectiveCameraSayWhatATurnTakesOfIt) {
+TEST(Lessons, OfAPerspectiveCameraNameTheUsedPartOfIt) {
   const scene::LoadedScene source = loaded("house");
   const auto perspective = find_explainer("plantinga")->scene(source.scene, source.scene.camera, nullptr);
   ASSERT_TRUE(perspective);
@@ -391,7 +391,7 @@ TEST(Lessons, OfAPerspectiveCameraSayWhatATurnTakesOfIt) {
   EXPECT_TRUE(find_explainer("plantinga")->scene(source.scene, above, nullptr));
 }
 
-TEST(Lessons, AreThereForEveryBuiltInSceneOrAnErrorSaysWhyNot) {
+TEST(Lessons, ExistForEveryBuiltInSceneOrAnErrorSaysWhyNot) {
   std::size_t made = 0;
   for (const std::string_view name : scene::builtin_scene_names()) {
     const scene::LoadedScene source = loaded(std::string(name));
@@ -415,7 +415,7 @@ TEST(Explainers, AreTheFiveOfThePapersAndExact) {
   EXPECT_EQ(find_explainer("nothing"), nullptr);
 }
 
-TEST(Lessons, RefuseWhatCannotBeFollowed) {
+TEST(Lessons, RejectUnsuitableScenes) {
   const scene::LoadedScene large = loaded("boxes-200");
   EXPECT_FALSE(find_explainer("willis")->scene(large.scene, large.scene.camera, nullptr));
   EXPECT_FALSE(find_explainer("plantinga")->scene(large.scene, large.scene.camera, nullptr));

@@ -78,7 +78,7 @@ struct Case {
   std::vector<std::size_t> sheets;  // on which all that is named has its number
 };
 
-TEST(LessonNumbers, AreThereForAllThatACaptionNames) {
+TEST(LessonNumbers, ExistForEverythingThatACaptionNames) {
   const std::vector<Case> cases{
       {"exact", {"boxes-2", "roberts"}, {0}},
       {"jones", {"house", "street4", "town-2"}, {1}},
@@ -106,7 +106,7 @@ TEST(LessonNumbers, AreThereForAllThatACaptionNames) {
           for (const Mark& mark : state[sheet]["numbers"]) {
             for (std::size_t a = 0; a < 2; ++a)
               EXPECT_TRUE(mark.points[0][a] >= box.low[a] - 1e-9 && mark.points[0][a] <= box.high[a] + 1e-9)
-                  << each.algorithm << " of " << scene << ": " << mark.text << " is beside the sheet";
+                  << each.algorithm << " of " << scene << ": " << mark.text << " is off the sheet";
           }
           EXPECT_LE(state[sheet]["numbers"].size(), 64U) << each.algorithm << " of " << scene;
         }

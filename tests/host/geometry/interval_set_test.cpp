@@ -9,7 +9,7 @@
 namespace sightline::geometry {
 namespace {
 
-TEST(IntervalSet, KeepsEndsOfWhatIsTakenAwayAndDropsSinglePoints) {
+TEST(IntervalSet, KeepsEndsOfRemovedIntervalsAndDropsSinglePoints) {
   IntervalSet set(0, 1);
   set.subtract(Rational(1, 4), Rational(1, 2));
   EXPECT_TRUE(set.contains(Rational(1, 4)));
@@ -83,7 +83,7 @@ class RandomSets {
   std::mt19937 random_{1985};
 };
 
-TEST(IntervalSet, KeepsTheLawsOfTheHeader) {
+TEST(IntervalSet, SatisfiesTheLawsOfTheHeader) {
   RandomSets sets;
   const Rational least(-100);
   const Rational most(100);

@@ -117,7 +117,7 @@ Point2 flat(const Point3& p) {
   return {p[0], p[1]};
 }
 
-TEST(Predicates, NothingChangesWhereAllPointsAreMoved) {
+TEST(Predicates, TranslationChangesNothing) {
   for (const std::int32_t reach : {2, 1000, most / 2}) {
     RandomPoints points(reach);
     for (int i = 0; i < 500; ++i) {
@@ -153,7 +153,7 @@ TEST(Predicates, AreasAndVolumesAdd) {
 
 // All pairs of segments between the points of a small lattice. Two convex sets are apart iff their shadows on
 // some line are; for segments a line along or across one that joins two of the four ends will do.
-TEST(Predicates, SegmentsMeetInWhateverOrder) {
+TEST(Predicates, SegmentsMeetInAnyOrder) {
   std::vector<Point2> lattice;
   for (std::int32_t x = 0; x < 4; ++x) {
     for (std::int32_t y = 0; y < 3; ++y) lattice.push_back({x, y});

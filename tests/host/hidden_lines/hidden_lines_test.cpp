@@ -28,7 +28,7 @@ scene::PolyMesh cube() {
 // Looks at three sides of the cube at once.
 Camera oblique() { return {false, {}, {-1, -1, -1}, {1, 0, -1}, {-1, 2, -1}}; }
 
-TEST(HiddenLines, OfACubeInMemoryNineEdgesAreSeenAndThreeHidden) {
+TEST(HiddenLines, OfACubeInMemoryNineEdgesAreVisibleAndThreeHidden) {
   const auto scene = load(cube());
   ASSERT_TRUE(scene) << scene.error().message();
   EXPECT_EQ(scene->name, "cube");
@@ -53,7 +53,7 @@ TEST(HiddenLines, OfACubeInMemoryNineEdgesAreSeenAndThreeHidden) {
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 12);
 }
 
-TEST(HiddenLines, ViewsOfOnePreparationAreTheViewsOfEach) {
+TEST(HiddenLines, ViewsOfOnePreparationEqualSeparateViews) {
   const auto scene = load("house");
   ASSERT_TRUE(scene) << scene.error().message();
   const auto views = Views::of(*scene);
@@ -75,7 +75,7 @@ TEST(HiddenLines, ViewsOfOnePreparationAreTheViewsOfEach) {
   }
 }
 
-TEST(HiddenLines, ArraysThatAreNoMeshAreRefusedWithTheirPlace) {
+TEST(HiddenLines, ArraysThatAreNotAMeshAreErrorsWithTheirPosition) {
   scene::PolyMesh mesh = cube();
   mesh.vertices[5][1] = std::numeric_limits<double>::quiet_NaN();
   auto refused = load(mesh);
@@ -145,7 +145,7 @@ TEST(HiddenLines, ErrorsHaveAKindAndNameTheOption) {
   EXPECT_EQ(seen.error().kind, base::ErrorKind::bad_input);
 }
 
-TEST(HiddenLines, WhatIsLeftOutIsANote) {
+TEST(HiddenLines, OmissionsAreNotes) {
   scene::PolyMesh mesh = cube();
   const auto first = static_cast<scene::VertexIndex>(mesh.vertices.size());
   for (std::size_t v = 0; v < first; ++v) mesh.vertices.push_back({mesh.vertices[v][0] + 5, mesh.vertices[v][1] + 5, mesh.vertices[v][2] + 5});
@@ -165,7 +165,7 @@ TEST(HiddenLines, WhatIsLeftOutIsANote) {
   EXPECT_NE(views->notes()[0].find("bodies pass through each other"), std::string::npos);
 }
 
-TEST(HiddenLines, FilesBeginAsTheirFormatsDo) {
+TEST(HiddenLines, FilesBeginAsTheirFormatsRequire) {
   const auto scene = load(cube());
   const auto drawing = view(*scene, oblique());
   ASSERT_TRUE(drawing);

@@ -37,7 +37,7 @@ TEST(KeyCodes, EveryKeyInEveryMode) {
   }
 }
 
-TEST(KeyCodes, PrintedCodesAreCutToSevenBits) {
+TEST(KeyCodes, PrintedCodesAreTruncatedToSevenBits) {
   EXPECT_EQ(live::shown_text("\310\351\215\212"), "Hi\r\n");
   EXPECT_EQ(live::shown_text(std::string_view("\0a\200b\177\377", 6)), "ab");
 }
@@ -234,7 +234,7 @@ TEST(ConsoleScript, WithoutTextsToExpectTypesAtOnce) {
   EXPECT_EQ(session(pdp7_echo(), Typist(""), script({send("ab"), send("c!")})).printed, "*abc!");
 }
 
-TEST(ConsoleScript, SaysWhichTextWasNotPrinted) {
+TEST(ConsoleScript, ReportsTheTextThatWasNotPrinted) {
   NEEDS_OPTIMISED_CODE();
   const Ended waits = session(pdp7_echo(), Typist(""), script({expect("*"), send("ab"), expect("#"), send("c")}));
   EXPECT_EQ(waits.stop.complaint,
@@ -260,7 +260,7 @@ TEST(CpmConsole, FunctionOneWaitsEchoesAndReturnsTheKey) {
   EXPECT_EQ(done.machine->word(0x202), 033U);
 }
 
-TEST(CpmConsole, FunctionTenReadsALineThatCanBeMended) {
+TEST(CpmConsole, FunctionTenReadsAnEditedLine) {
   const auto line = [](const char* keys, const char* size = "10") {
     const Ended done = session(i8080_run("  LXI D,200H\n  MVI A," + std::string(size) +
                                            "\n  STAX D\n  MVI C,10\n  CALL 5\n  JMP 0\n"),
@@ -282,7 +282,7 @@ TEST(CpmConsole, FunctionTenReadsALineThatCanBeMended) {
   EXPECT_EQ(line("x", "0"), "");
 }
 
-TEST(CpmConsole, FunctionsSixAndElevenAskWithoutWaiting) {
+TEST(CpmConsole, FunctionsSixAndElevenPollWithoutWaiting) {
   const Ended done = session(i8080_run("POLL: MVI C,11\n  CALL 5\n  ORA A\n  JZ POLL\n  STA 200H\n"
                                          "  MVI C,6\n  MVI E,0FEH\n  CALL 5\n  STA 201H\n"
                                          "  MVI C,6\n  MVI E,0FFH\n  CALL 5\n  STA 202H\n"

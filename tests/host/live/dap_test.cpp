@@ -84,7 +84,7 @@ class Dap : public CommandLine {
   std::vector<json> received_;
 };
 
-TEST_F(Dap, BreakpointsStandInTheSource) {
+TEST_F(Dap, BreakpointsAreSetInTheSource) {
   write("p.s",
         "/ A title line.\n"     // 1
         "100/\n"                // 2
@@ -204,7 +204,7 @@ live::Launched i8080_launched(const std::string& source) {
   return launched(machines::i8080(), of, assembly, assembler::write_i8080_symbols(assembly.symbols));
 }
 
-TEST_F(DapSteps, ThePdp7GoesForwardAndBack) {
+TEST_F(DapSteps, ThePdp7RunsForwardAndBack) {
   request("initialize");
   request("launch");
   request("setFunctionBreakpoints", {{"breakpoints", {{{"name", "store+1"}}}}});
@@ -262,7 +262,7 @@ TEST_F(DapSteps, ThePdp7GoesForwardAndBack) {
   EXPECT_EQ(rows[1].at("line"), 2);
 }
 
-TEST_F(DapSteps, The8080TypesAndIsWatched) {
+TEST_F(DapSteps, The8080PrintsAndHasWatchpoints) {
   request("initialize", {{"linesStartAt1", false}});
   request("launch");
   request("setBreakpoints", {{"source", {{"path", "p.asm"}}}, {"breakpoints", {{{"line", 4}, {"condition", "a==41+1"}}}}});
@@ -520,7 +520,7 @@ TEST_F(DapSteps, ASystemBootsFromADisk) {
 
 // --- Messages of any content ---
 
-TEST_F(DapSteps, RequestsOfAnyContentAreAnswered) {
+TEST_F(DapSteps, RequestsWithAnyContentAreAnswered) {
   std::mt19937 engine(1121);
   const auto below = [&engine](std::size_t n) { return engine() % n; };
   const std::vector<std::string> names{"setBreakpoints", "setFunctionBreakpoints", "setInstructionBreakpoints", "dataBreakpointInfo",
@@ -615,7 +615,7 @@ TEST_F(Dap, ASignalEndsTheSession) {
   EXPECT_EQ(read("code"), "124\n");
 }
 
-TEST_F(Dap, WhatIsNoMessageEndsTheSession) {
+TEST_F(Dap, AnInvalidMessageEndsTheSession) {
   const auto ends = [this](const std::string& bytes) {
     const Ran ran = sightline({"dap"}, bytes);
     EXPECT_EQ(ran.exit_code, 4) << bytes.substr(0, 40);

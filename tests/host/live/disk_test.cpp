@@ -64,7 +64,7 @@ TEST_F(Disk, ASystemBootsReadsAndWrites) {
   EXPECT_EQ(files(), (std::vector<std::string>{"boot.rim", "disk"}));
 }
 
-TEST_F(Disk, ALockedDiskStaysAsItIs) {
+TEST_F(Disk, ALockedDiskIsNotChanged) {
   const Ran ran = session({"--send", "w5Z", "--expect", "w5Z!", "--send", "h"}, {"--disk-read-only"});
   EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
   EXPECT_EQ(read("disk"), image_);
@@ -90,7 +90,7 @@ TEST_F(Disk, CtrlCInAPipedMonitorWritesTheDiskBack) {
 }
 
 // Killed at any moment: the image is the old one or the new one, and nothing is left beside it.
-TEST_F(Disk, AKilledRunLeavesAWholeImage) {
+TEST_F(Disk, AKilledRunLeavesACompleteImage) {
   const Arguments words{"run", "pdp7", "boot.rim", "--disk", "disk", "--console", "unix", "--expect", "*", "--send", "w5Z", "--expect", "k"};
   ASSERT_EQ(sightline(words).exit_code, 0);
   const std::string written = read("disk");
@@ -116,7 +116,7 @@ TEST_F(Disk, WritingBackKeepsThePermissionsOfTheImage) {
 }
 
 // It is known before the run that the changes could not be kept.
-TEST_F(Disk, AnImageThatMayNotBeWrittenIsRefusedUnlessTheDriveIsLocked) {
+TEST_F(Disk, AReadOnlyImageIsAnErrorUnlessTheDriveIsLocked) {
   std::filesystem::permissions(path("disk"), std::filesystem::perms::owner_read);
   if (access(path("disk").c_str(), W_OK) == 0) GTEST_SKIP() << "this user may write every file";
   const Ran ran = session({"--send", "w5Z", "--expect", "k"});
@@ -128,7 +128,7 @@ TEST_F(Disk, AnImageThatMayNotBeWrittenIsRefusedUnlessTheDriveIsLocked) {
 }
 
 // The other files of a run are written though the disk cannot be.
-TEST_F(Disk, AFolderThatGoesAwayTakesOnlyTheDiskWithIt) {
+TEST_F(Disk, ARemovedFolderLosesOnlyTheDisk) {
   std::filesystem::create_directory(path("folder"));
   std::filesystem::rename(path("disk"), path("folder/disk"));
   write("gone.s",
@@ -145,7 +145,7 @@ TEST_F(Disk, AFolderThatGoesAwayTakesOnlyTheDiskWithIt) {
   EXPECT_NE(read("err").find("folder/disk: cannot write: No such file or directory"), std::string::npos) << read("err");
 }
 
-TEST_F(Disk, ATransferGoesOnFromASnapshot) {
+TEST_F(Disk, ATransferContinuesFromASnapshot) {
   // The boot waits a turn of 34 ms, some 19,300 instructions, then 256 words pass in 1.7 ms.
   constexpr int all = 60000;
   const auto run_for = [this](std::vector<std::string> words, int instructions, std::vector<std::string> more) {
@@ -171,7 +171,7 @@ TEST_F(Disk, ATransferGoesOnFromASnapshot) {
   EXPECT_NE(other.err.find("the number of the disk that is attached"), std::string::npos) << other.err;
 }
 
-TEST_F(Disk, DamagedImagesAreRefused) {
+TEST_F(Disk, DamagedImagesAreErrors) {
   const auto refused = [this](const std::string& image) {
     write("bad", image);
     const Ran ran = sightline({"run", "pdp7", "boot.rim", "--disk", "bad"});

@@ -256,7 +256,7 @@ TEST(I8080Snapshots, ContinueFromAHold) {
   EXPECT_GT(standing, tests::effort(50, 0));
 }
 
-TEST(I8080Snapshots, KeepWhatACpmProgramHasPrinted) {
+TEST(I8080Snapshots, KeepTheOutputOfACpmProgram) {
   const LawProgram program{"i8080",
                            [] {
                              machines::I8080Setup setup;

@@ -81,7 +81,7 @@ TEST(Expression, HexadecimalNumbersBeginWithADigit) {
   EXPECT_EQ(value("0ac"), 0xAC);
 }
 
-TEST(Expression, SaysWhatIsWrong) {
+TEST(Expression, ReportsErrors) {
   const auto error = [](std::string_view text) {
     const auto value = live::evaluate(text, names(8));
     return value ? std::string("nothing") : value.error().message();
@@ -283,7 +283,7 @@ TEST(MonitorPdp7, WatchesMemory) {
   s("watch", Kind::wrong);
 }
 
-TEST(MonitorPdp7, KnowsWhoWroteAWord) {
+TEST(MonitorPdp7, FindsTheWriterOfAWord) {
   auto m = pdp7_program();
   Session& s = *m;
   EXPECT_EQ(s("who place"), "00110: nothing has written there since the monitor began\n");
@@ -292,7 +292,7 @@ TEST(MonitorPdp7, KnowsWhoWroteAWord) {
   EXPECT_EQ(s("who place"), "00110: 000005 was written at 0.000022750 s by 00106 store+1: dac 110  ; dac place\n");
 }
 
-TEST(MonitorPdp7, HistoryShowsWhatWasUsed) {
+TEST(MonitorPdp7, HistoryShowsOperands) {
   auto m = pdp7_program();
   Session& s = *m;
   EXPECT_EQ(s("history"), "no instruction has been obeyed yet\n");
@@ -425,7 +425,7 @@ TEST(MonitorPdp7, ListsDisplayWordsWhereTheDisplayReadsThem) {
   EXPECT_NE(s(words).find(" 00107 100601  file+2: parameter, "), std::string::npos) << s(words);
 }
 
-TEST(MonitorPdp7, TheDisplayIsThereWhenItIsUsed) {
+TEST(MonitorPdp7, TheDisplayIsConnectedAtItsFirstUse) {
   auto m = pdp7_session("begin, law file\n idla\nloop, idsi\n jmp loop\n jmp begin\nfile, 020137\n 220601\n 100601\n 200177\n 677577\n 003000\n start begin\n");
   Session& s = *m;
   EXPECT_EQ(s("show display"), "no display is attached, or the program has not used it yet\n");
@@ -441,7 +441,7 @@ TEST(MonitorPdp7, TheDisplayIsThereWhenItIsUsed) {
 }
 
 // Two words of three lines with hole 8. RSB takes one.
-TEST(MonitorPdp7, DevicesSayWhatIsInThem) {
+TEST(MonitorPdp7, DevicesReportTheirState) {
   auto m = pdp7_session(" rsb\n rsf\n jmp .-1\n hlt\n");
   Session& s = *m;
   EXPECT_NE(s("show devices").find("reader       no tape, flag down"), std::string::npos);
@@ -500,7 +500,7 @@ TEST(MonitorPdp7, CompletesVerbsAndNames) {
   EXPECT_EQ(m->monitor().completions("break st", "st"), (std::vector<std::string>{"stop", "store"}));
 }
 
-TEST(MonitorPdp7, LookingChangesNothing) {
+TEST(MonitorPdp7, InspectionChangesNothing) {
   const auto typed = [](std::initializer_list<std::string> lines) {
     auto m = pdp7_session(echo);
     for (const char key : std::string("so!")) m->machine().type(static_cast<std::uint8_t>(key));
@@ -553,7 +553,7 @@ TEST(MonitorBack, ReturnsTheSameState) {
   walk_back_and_forth(*i8080, "i8080");
 }
 
-TEST(MonitorBack, SaysHowFarItCanGo) {
+TEST(MonitorBack, ReportsHowFarItCanGo) {
   auto m = pdp7_program();
   Session& s = *m;
   EXPECT_NE(s("back", Kind::wrong).find("expected at most 0"), std::string::npos);
@@ -642,7 +642,7 @@ TEST(MonitorI8080, SendsAndExpectsOnTheConsoleOfCpm) {
 }
 
 // `who` knows it at once, where the call has just been answered, and `back` comes to that state.
-TEST(MonitorI8080, WhoKnowsWhatCpmHasJustWritten) {
+TEST(MonitorI8080, WhoFindsWhatCpmHasJustWritten) {
   auto m = i8080_session("  LXI D,300H\n  MVI C,10\n  CALL 5\n  LDA 302H\n  JMP 0\n");
   Session& s = *m;
   s("deposit 300 5; watch 302; send \"K\\r\"; c");
@@ -690,7 +690,7 @@ TEST(MonitorPdp7, CyclesStopInsideAnInstruction) {
 }
 
 // The line that BDOS reads is put into the buffer by the host: a watch sees it, and so does `who`.
-TEST(MonitorI8080, WatchesSeeWhatCpmWrites) {
+TEST(MonitorI8080, WatchpointsSeeWritesByCpm) {
   auto m = i8080_session("  LXI D,300H\n  MVI C,10\n  CALL 5\n  LDA 302H\n  JMP 0\n");
   Session& s = *m;
   s("deposit 300 5; watch 302; watch 301 r; send \"K\\r\"");
@@ -739,7 +739,7 @@ void compare_history_with_trace(Session& s, const std::string& word) {
   EXPECT_GT(s.machine().ticks(), ticks);
 }
 
-TEST(MonitorPast, HistoryIsWhatTheTraceWas) {
+TEST(MonitorPast, HistoryEqualsTheTrace) {
   auto pdp7 = pdp7_session(
       "begin, 700301\n  jmp over\n  700312\n  700406\nover, isz 300\n  lac 300\n  dac i 10\n  jms sub\n  jmp begin\n"
       "sub, 0\n  dac 301\n  jmp i sub\n");
@@ -749,7 +749,7 @@ TEST(MonitorPast, HistoryIsWhatTheTraceWas) {
   compare_history_with_trace(*i8080, "300");
 }
 
-TEST(MonitorPast, WhoWroteIsFoundHoweverLongAgo) {
+TEST(MonitorPast, TheWriterIsFoundAfterAnyTime) {
   // The word at 300 is written once, then three million instructions follow.
   auto m = pdp7_session("  lac (5\n  dac 300\nloop, isz 301\n  jmp loop\n  jmp loop\n");
   Session& s = *m;
@@ -767,7 +767,7 @@ TEST(MonitorPast, AnInterruptIsNamedAsTheWriter) {
   EXPECT_NE(s("who 0").find("by the interrupt before 00104"), std::string::npos) << s("who 0");
 }
 
-TEST(MonitorStack, ShowsWhatWasCalledAndGoesOutOfIt) {
+TEST(MonitorStack, ShowsCallsAndStepsOut) {
   auto m = pdp7_session(
       "  jms outer\n  hlt\nouter, 0\n  jms inner\n  jmp i outer\ninner, 0\n  nop\n  jmp i inner\n");
   Session& s = *m;
@@ -785,7 +785,7 @@ TEST(MonitorStack, ShowsWhatWasCalledAndGoesOutOfIt) {
   s("out", Kind::wrong);
 }
 
-TEST(MonitorStack, OutOfARecursionIsOneLevel) {
+TEST(MonitorStack, StepOutOfARecursionIsOneLevel) {
   // Counts down in B by calling itself.
   auto m = i8080_session("  LXI SP,400H\n  MVI B,5\n  CALL DOWN\n  HLT\nDOWN: DCR B\n  RZ\n  CALL DOWN\n  RET\n");
   Session& s = *m;
@@ -914,7 +914,7 @@ void compare_conditions(const machines::MachineDescription& description, const s
   }
 }
 
-TEST(MonitorPdp7, ConditionsOnMemoryStopWhereEachInstructionIsAsked) {
+TEST(MonitorPdp7, ConditionsOnMemoryStopLikeTheOracle) {
   std::mt19937 random(1965);
   std::vector<std::string> conditions;
   for (int round = 0; round < 20; ++round) {
@@ -931,7 +931,7 @@ TEST(MonitorPdp7, ConditionsOnMemoryStopWhereEachInstructionIsAsked) {
       conditions, 200);
 }
 
-TEST(MonitorPdp7, ConditionsOnRegistersStopWhereEachInstructionIsAsked) {
+TEST(MonitorPdp7, ConditionsOnRegistersStopLikeTheOracle) {
   compare_conditions(
       machines::pdp7(),
       [] {
@@ -945,7 +945,7 @@ TEST(MonitorPdp7, ConditionsOnRegistersStopWhereEachInstructionIsAsked) {
 }
 
 // The display draws a vector beyond the edge, again and again: its flag is cleared by IDCF, and by a file that ends in a stop the other.
-TEST(MonitorPdp7, ConditionsOnFlagsOfTheDisplayStopWhereEachInstructionIsAsked) {
+TEST(MonitorPdp7, ConditionsOnFlagsOfTheDisplayStopLikeTheOracle) {
   compare_conditions(
       machines::pdp7(),
       [] {
@@ -959,7 +959,7 @@ TEST(MonitorPdp7, ConditionsOnFlagsOfTheDisplayStopWhereEachInstructionIsAsked) 
 }
 
 // The display fetches words, and the clock counts in 7, at boundaries that follow each other.
-TEST(MonitorPdp7, WordsThatTheClockWritesBesideADisplayAreAskedAboutAtOnce) {
+TEST(MonitorPdp7, WordsThatTheClockWritesDuringADisplayAreTestedAtOnce) {
   compare_conditions(
       machines::pdp7(),
       [] {
@@ -978,7 +978,7 @@ bool step_back(Stepped& stepped, std::unique_ptr<Session> again, std::uint64_t i
 
 // Where a run begins a flag may differ from what it was when the condition was last asked about: by `back`, by START, or because
 // nobody has asked yet.
-TEST(MonitorPdp7, AFlagThatDiffersWhereARunBeginsIsAskedAbout) {
+TEST(MonitorPdp7, AFlagThatDiffersAtTheStartOfARunIsTested) {
   struct Walk {
     std::string condition;
     std::vector<std::string> lines;
@@ -1012,7 +1012,7 @@ TEST(MonitorPdp7, AFlagThatDiffersWhereARunBeginsIsAskedAbout) {
   EXPECT_EQ(m->machine().instructions(), 1U);
 }
 
-TEST(MonitorI8080, ConditionsOnRegistersStopWhereEachInstructionIsAsked) {
+TEST(MonitorI8080, ConditionsOnRegistersStopLikeTheOracle) {
   compare_conditions(
       machines::i8080(),
       [] {
@@ -1044,7 +1044,7 @@ std::string random_condition(std::mt19937& random) {
   }
 }
 
-TEST(MonitorI8080, RandomConditionsStopWhereEachInstructionIsAsked) {
+TEST(MonitorI8080, RandomConditionsStopLikeTheOracle) {
   const std::vector<unsigned> others{0x02, 0x03, 0x04, 0x05, 0x07, 0x09, 0x0A, 0x0B, 0x0C, 0x0D, 0x0F, 0x12, 0x13, 0x14, 0x15, 0x17, 0x19, 0x1A,
                                      0x1B, 0x1C, 0x1D, 0x1F, 0x23, 0x24, 0x25, 0x27, 0x29, 0x2B, 0x2C, 0x2D, 0x2F, 0x34, 0x35, 0x37, 0x39, 0x3C,
                                      0x3D, 0x3F, 0xC1, 0xC5, 0xD1, 0xD5, 0xE1, 0xE3, 0xE5, 0xEB, 0xF1, 0xF3, 0xF5, 0xFB};
@@ -1078,7 +1078,7 @@ TEST(MonitorI8080, RandomConditionsStopWhereEachInstructionIsAsked) {
 }
 
 // Without a terminal a program that only asks for a key is stopped when it has asked for long, by its own time. `run for` runs on.
-TEST(MonitorPdp7, WaitsForAKeyThatNobodyTypesOnlySoLong) {
+TEST(MonitorPdp7, LimitsTheWaitForAKey) {
   auto m = pdp7_session("begin, 700301\n jmp begin\n 700312\n hlt\nbusy, jmp busy\n start begin\n", nullptr, 2);
   const std::string text = (*m)("go");
   EXPECT_NE(text.find("the program has asked for a key for 2 s of its time, and there is none"), std::string::npos) << text;
@@ -1192,7 +1192,7 @@ TEST(MonitorVerbs, InstructionsAreTypedInTheDialectOfTheProgram) {
 }
 
 // Each says what was found and what would be right, and nothing is done.
-TEST(MonitorVerbs, WrongArgumentsAreRefusedInWords) {
+TEST(MonitorVerbs, WrongArgumentsAreErrors) {
   const std::vector<std::pair<std::string_view, std::string_view>> pdp7{
       {"deposit 100 \"", "deposit: found \" without a \" at its end"},
       {"deposit 100 lac i 10", "an instruction stands in quotes"},
@@ -1264,7 +1264,7 @@ TEST(MonitorI8080, PairsAreNames) {
   EXPECT_EQ(s("evaluate l").substr(0, 1), "3");
 }
 
-TEST(MonitorRadix, IsOfNumbersTypedAndShown) {
+TEST(MonitorRadix, AppliesToNumbersTypedAndShown) {
   auto m = pdp7_program();
   Session& s = *m;
   s.monitor().set_radix(16);
@@ -1276,7 +1276,7 @@ TEST(MonitorRadix, IsOfNumbersTypedAndShown) {
 
 // --- Lines of any bytes ---
 
-TEST(MonitorLines, OfAnyBytesAreAnswered) {
+TEST(MonitorLines, WithAnyBytesAreAnswered) {
   auto m = pdp7_program();
   Session& s = *m;
   s.most_slices = 0;  // runs may have no end

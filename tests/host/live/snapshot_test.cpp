@@ -43,7 +43,7 @@ machines::Bytes corrected(machines::Bytes bytes) {
   return bytes;
 }
 
-TEST(Crc32, IsThatOfThePublishedCheck) {
+TEST(Crc32, HasThePublishedCheckValue) {
   const std::string text = "123456789";
   const machines::Bytes bytes(text.begin(), text.end());
   EXPECT_EQ(base::crc32(bytes), 0xCBF43926U);
@@ -114,7 +114,7 @@ TEST(Snapshot, EveryTruncationIsFound) {
 
 // Hostile files have a good checksum. They are refused, and the machine is as it was, or they are states of a
 // machine.
-TEST(Snapshot, ChangedFieldsWithAGoodChecksumAreRefusedOrRun) {
+TEST(Snapshot, ChangedFieldsWithACorrectChecksumAreRejectedOrRun) {
   const auto machine = small_machine(40);
   const auto other = small_machine(17);
   const machines::Bytes bytes = saved(*machine);
@@ -140,7 +140,7 @@ TEST(Snapshot, ChangedFieldsWithAGoodChecksumAreRefusedOrRun) {
   EXPECT_GT(accepted, 500);
 }
 
-TEST(Snapshot, RefusalsSayWhatToDo) {
+TEST(Snapshot, ErrorsSayWhatToDo) {
   const auto machine = small_machine(40);
   const machines::Bytes bytes = saved(*machine);
   EXPECT_EQ(refusal({1, 2, 3}, *machine),
@@ -172,7 +172,7 @@ TEST(Snapshot, RefusalsSayWhatToDo) {
             "the snapshot again with --save");
 }
 
-TEST(Snapshot, AnotherTapeIsRefused) {
+TEST(Snapshot, AnotherTapeIsAnError) {
   const auto machine = small_machine(40);
   machines::Pdp7Setup setup;
   setup.machine.core_words = 4096;

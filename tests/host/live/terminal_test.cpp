@@ -135,7 +135,7 @@ TEST_F(Terminal, KeysAreEchoedByTheProgramAlone) {
 }
 
 // In a pipe the table has all columns.
-TEST_F(Terminal, TablesLeaveColumnsOutWhereItIsNarrow) {
+TEST_F(Terminal, TablesOmitColumnsOnANarrowTerminal) {
   const std::vector<std::string> words{"compare", "boxes-1", "--orthographic", "3,0,4", "--no-host-times", "--methods", "exact,turn-pdp7", "-o", "none"};
   const std::string whole = sightline(words).out;
   EXPECT_NE(whole.find("  the paper says\n"), std::string::npos) << whole;
@@ -152,7 +152,7 @@ TEST_F(Terminal, TablesLeaveColumnsOutWhereItIsNarrow) {
   EXPECT_FALSE(exists("none"));
 }
 
-TEST_F(Terminal, CtrlEComesToTheMonitorAndBack) {
+TEST_F(Terminal, CtrlEEntersTheMonitorAndReturns) {
   start_echo();
   type("a\005");
   ASSERT_TRUE(shows("pdp7> ")) << shown_;
@@ -186,7 +186,7 @@ TEST_F(Terminal, TheMonitorHasAPromptAndKeepsItsLines) {
 }
 
 // The counts are those of the scenes: a box has 6 faces and 8 corners.
-TEST_F(Terminal, ACommandThatOnlyWritesAFileSaysSo) {
+TEST_F(Terminal, ACommandThatOnlyWritesAFileReportsIt) {
   write("slab.off", "OFF\n8 6 0\n0 0 0\n4 0 0\n4 3 0\n0 3 0\n0 0 1\n4 0 1\n4 3 1\n0 3 1\n"
                     "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
   struct Said {
@@ -224,7 +224,7 @@ TEST_F(Terminal, ACommandThatOnlyWritesAFileSaysSo) {
   }
 }
 
-TEST_F(Terminal, NothingIsSaidOfJsonAndOfStandardOutput) {
+TEST_F(Terminal, NoMessageForJsonAndStandardOutput) {
   for (const Arguments& words : {Arguments{"draw", "exact", "boxes-1", "--json", "-o", "a.svg"}, Arguments{"draw", "exact", "boxes-1", "-o", "-"},
                                  Arguments{"scene", "generate", "boxes", "1"}}) {
     shown_.clear();
@@ -235,7 +235,7 @@ TEST_F(Terminal, NothingIsSaidOfJsonAndOfStandardOutput) {
   }
 }
 
-TEST_F(Terminal, AtThePromptEachCommandSaysWhatItDid) {
+TEST_F(Terminal, AtThePromptEachCommandReportsItsEffect) {
   start({"monitor", "pdp7", "echo.s"});
   ASSERT_TRUE(shows("pdp7> ")) << shown_;
   // Deposited and shown in octal: 10. is 12.
@@ -276,7 +276,7 @@ TEST_F(Terminal, AtThePromptEachCommandSaysWhatItDid) {
   EXPECT_EQ(ends(), 0);
 }
 
-TEST_F(Terminal, CtrlCAndCtrlEComeBackToTheMonitor) {
+TEST_F(Terminal, CtrlCAndCtrlEReturnToTheMonitor) {
   start({"monitor", "pdp7", "echo.s"});
   ASSERT_TRUE(shows("pdp7> ")) << shown_;
   type("continue\r");
@@ -310,7 +310,7 @@ TEST_F(Terminal, SignalsEndItInOrder) {
   }
 }
 
-TEST_F(Terminal, AStopGivesTheTerminalBackForAsLongAsItLasts) {
+TEST_F(Terminal, ASuspendedRunRestoresTheTerminalMeanwhile) {
   start_echo();
   send_signal(SIGTSTP);
   const auto end = steady_clock::now() + patience;
@@ -325,7 +325,7 @@ TEST_F(Terminal, AStopGivesTheTerminalBackForAsLongAsItLasts) {
   EXPECT_TRUE(restored());
 }
 
-TEST_F(Terminal, ATerminalThatGoesAwayEndsTheRunAndFilesAreWritten) {
+TEST_F(Terminal, AClosedTerminalEndsTheRunAndFilesAreWritten) {
   start_echo();
   hang_up();
   const int code = ends();
@@ -334,7 +334,7 @@ TEST_F(Terminal, ATerminalThatGoesAwayEndsTheRunAndFilesAreWritten) {
 }
 
 // At the prompt Ctrl-C drops the line, as in a shell.
-TEST_F(Terminal, CtrlCAtThePromptDropsTheLine) {
+TEST_F(Terminal, CtrlCAtThePromptDiscardsTheLine) {
   start({"monitor", "pdp7", "echo.rim"});
   ASSERT_TRUE(shows("pdp7> ")) << shown_;
   type("deposit 100 1\003");
@@ -367,7 +367,7 @@ TEST_F(Terminal, ASignalInARunOfTheMonitorEndsTheSessionInOrder) {
   }
 }
 
-TEST_F(Terminal, CtrlCFromOutsideStopsTheRunAndLeavesThePrompt) {
+TEST_F(Terminal, SigintFromOutsideStopsTheRunAndReturnsToThePrompt) {
   start({"monitor", "pdp7", "echo.s", "--console", "parity"});
   ASSERT_TRUE(shows("pdp7> ")) << shown_;
   type("continue\r");
@@ -383,7 +383,7 @@ TEST_F(Terminal, CtrlCFromOutsideStopsTheRunAndLeavesThePrompt) {
 }
 
 // A session that `run` has handed to the monitor: what ends the monitor ends the run.
-TEST_F(Terminal, ASignalBehindCtrlEEndsTheRun) {
+TEST_F(Terminal, ASignalAfterCtrlEEndsTheRun) {
   start_echo();
   type("\005");
   ASSERT_TRUE(shows("pdp7> ")) << shown_;

@@ -122,7 +122,7 @@ void expect_cycles(const Dump& dump, const std::vector<std::string>& expected) {
   }
 }
 
-TEST_F(Vcd, Pdp7CyclesFallWhereTheManualPutsThem) {
+TEST_F(Vcd, Pdp7CyclesHaveTheTimesOfTheManual) {
   // LAC I 200: fetch, defer, execute; DAC 201; ISZ 202; TLS (an IOT); HLT.
   const Dump dump = run("pdp7",
                         "100/\n  lac i 200\n  dac 201\n  isz 202\n  tls\n  hlt\n200/ 300\n  0\n  5\n300/ 123456\n  start 100\n", {});
@@ -146,13 +146,13 @@ TEST_F(Vcd, Pdp7CyclesFallWhereTheManualPutsThem) {
   expect_converts();
 }
 
-TEST_F(Vcd, WhatXctLeadsToHasADeferCycleOfItsOwn) {
+TEST_F(Vcd, TheTargetOfXctHasASeparateDeferCycle) {
   // XCT I 200 takes LAC I 211 at 210, which takes the word at 212.
   const Dump dump = run("pdp7", "100/\n  xct i 200\n  hlt\n200/ 210\n210/ lac i 211\n212\n5\n  start 100\n", {});
   expect_cycles(dump, {"fetch", "defer", "execute", "defer", "execute", "fetch"});
 }
 
-TEST_F(Vcd, Pdp7BreaksAndInterruptsAreCyclesOfTheirOwn) {
+TEST_F(Vcd, Pdp7BreaksAndInterruptsAreSeparateCycles) {
   const Dump dump = run("pdp7",
                         "1/ jmp 200\n100/\n  lac (400\n  700606\n  ion\n  700406\n  jmp .\n200/ hlt\n400/ 003000\n  start 100\n",
                         {"--display"});
@@ -278,7 +278,7 @@ TEST_F(Vcd, ADumpWithoutChangesIsOne) {
   EXPECT_TRUE(read("d.vcd").ends_with("#1750\n")) << read("d.vcd");
 }
 
-TEST_F(Vcd, ATargetWithoutAFileIsRefused) {
+TEST_F(Vcd, SignalsWithoutAFileAreAnError) {
   write("halt.oct", "100: 740040\n");
   for (const char* const target : {":ac", ":nothing"}) {
     const Ran ran = sightline({"run", "pdp7", "halt.oct", "--start", "100", "--vcd", target});

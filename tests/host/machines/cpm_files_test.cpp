@@ -118,7 +118,7 @@ TEST_F(CpmDrives, MakingAFileClearsTheModule) {
   EXPECT_EQ(host_file("a/NEW.DAT"), std::string(128, 'x'));
 }
 
-TEST_F(CpmDrives, WhatIsMadeAndWrittenIsOnTheHostAtOnce) {
+TEST_F(CpmDrives, ChangesAreOnTheHostAtOnce) {
   name("NEW.DAT");
   EXPECT_EQ(call(15), not_found);
   EXPECT_EQ(call(22), 0);
@@ -129,11 +129,11 @@ TEST_F(CpmDrives, WhatIsMadeAndWrittenIsOnTheHostAtOnce) {
   EXPECT_EQ(host_file("a/NEW.DAT"), std::string(128, '1') + std::string(128, '2'));
   EXPECT_EQ(call(16), 0);
   name("NEW.DAT");
-  EXPECT_EQ(call(22), not_found) << "a folder has one file of a name";
+  EXPECT_EQ(call(22), not_found) << "a folder has only one file with a name";
   EXPECT_EQ(host_file("a/NEW.DAT").size(), 256U);
 }
 
-TEST_F(CpmDrives, AnExtentHas128RecordsAndTheNextFollowsByItself) {
+TEST_F(CpmDrives, AnExtentHas128RecordsAndTheNextFollowsAutomatically) {
   std::string content;
   for (int n = 0; n < 130; ++n) content += std::string(128, static_cast<char>('A' + n % 26));
   host_file("a/BIG", content);
@@ -206,7 +206,7 @@ TEST_F(CpmDrives, NamesAreListedInOrderAndOnlyThoseThatCpmCanHave) {
   EXPECT_EQ(call(15), not_found);
 }
 
-TEST_F(CpmDrives, ADirectoryEntryTellsTheExtent) {
+TEST_F(CpmDrives, ADirectoryEntryContainsTheExtent) {
   host_file("a/E", std::string(129 * 128, 'x'));
   name("E");
   memory_[fcb + 12] = '?';
@@ -313,7 +313,7 @@ TEST_F(CpmDrives, AFullDiskIsCodeTwoAndLeavesNoHalfRecord) {
   EXPECT_EQ(memory_[fcb + 32], 1);
 }
 
-TEST_F(CpmDrives, OpensWithoutClosesUseUpNothing) {
+TEST_F(CpmDrives, OpeningWithoutClosingLeaksNothing) {
   const auto open_files = [] { return std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator()); };
   const auto before = open_files();
   for (char c = 'A'; c <= 'Z'; ++c) host_file(std::string("a/") + c, "x");
@@ -361,7 +361,7 @@ TEST(CpmDriveOption, IsALetterAFolderAndALock) {
 
 // Any calls with any blocks: the folder beside those of the drives, what links lead to and the read-only drive stay as they
 // are, and all names made are names of CP/M.
-TEST_F(CpmDrives, NothingOutsideIsTouchedWhateverIsAskedFor) {
+TEST_F(CpmDrives, NothingOutsideIsTouchedByAnyCall) {
   fs::create_directory(base_ / "outside");
   host_file("outside/CANARY", "canary");
   host_file("b/LOCKED", "locked");

@@ -21,7 +21,7 @@ std::string refusal(const std::string& text) {
   return read ? "read" : read.error().message();
 }
 
-TEST(DeviceOption, IsThereWithDevicesOnly) {
+TEST(DeviceOption, ExistsOnlyIfThereAreDevices) {
   EXPECT_FALSE(machines::device_option({}).has_value());
   EXPECT_EQ(machines::device_help({}), "");
   const auto option = machines::device_option(devices);
@@ -52,7 +52,7 @@ TEST(DeviceOption, ReadsNamesAndSettings) {
   EXPECT_TRUE(read->back().settings.empty());
 }
 
-TEST(DeviceOption, RefusesWhatIsNoDeviceOrSetting) {
+TEST(DeviceOption, RejectsUnknownDevicesAndSettings) {
   EXPECT_EQ(refusal("drums"), "--device: found \"drums\", expected one of drum, lights");
   EXPECT_EQ(refusal("drum,units"), "--device drum: found \"units\", expected SETTING=N with one of units, late");
   EXPECT_EQ(refusal("drum,"), "--device drum: found \"\", expected SETTING=N with one of units, late");

@@ -39,7 +39,7 @@ TEST(DisplayFile, MayJumpBackToItsBeginning) {
 }
 
 // Vectors through all of core; an edge has ended the pass after two of them.
-TEST(DisplayFile, EndsWhereAPassHasEnded) {
+TEST(DisplayFile, EndsWhereThePassEnded) {
   type340::Registers registers;
   EXPECT_EQ(modes_of({{0100, 0100000}}, {}, registers).size(), 017777U + 1);
   registers.address = 0103;

@@ -207,7 +207,7 @@ Walk walks(Walk found, std::uint32_t first_seed) {
 
 // HOLD from the first T-state on, for 100: the processor stands still behind the first NOP. A run that begins there passes over the
 // breakpoint, however often it ends in the HOLD.
-TEST(I8080Probe, ABreakpointIsPassedOverOnceBehindAHold) {
+TEST(I8080Probe, ABreakpointIsSkippedOnceAfterAHold) {
   const std::string nops(0x200, '\0');
   const auto unwatched = machine_of(nops, "0+100");
   unwatched->start(0x101);
@@ -245,7 +245,7 @@ TEST(I8080Probe, ABreakpointIsPassedOverOnceBehindAHold) {
 
 // LHLD 2000, and back to it. HOLD for 30 T-states, from each T-state of its second and third time on: the processor stands within the
 // instruction, between it and the jump, or within the jump. The watched access is seen at its own time, from snapshots of any time too.
-TEST(I8080Probe, AWatchSeesWhatAHeldInstructionReadsFromASnapshotToo) {
+TEST(I8080Probe, AWatchpointSeesReadsOfAHeldInstructionAlsoFromASnapshot) {
   std::string memory(0x200, '\0');
   const std::string program("\x2A\x00\x20\xC3\x00\x01", 6);
   memory.replace(0x100, program.size(), program);
@@ -301,13 +301,13 @@ TEST(I8080Probe, AWatchSeesWhatAHeldInstructionReadsFromASnapshotToo) {
 
 std::size_t times(const Walk& found, Probe::Kind kind) { return found.of_kind[static_cast<std::size_t>(kind)]; }
 
-TEST(I8080Probe, BreakpointsStopWhereEachInstructionIsCompared) {
+TEST(I8080Probe, BreakpointsStopLikeTheOracle) {
   const Walk found = walks({.executed = true}, 19740401);
   EXPECT_GT(found.pieces, sightline::tests::effort(200U, 20U));
   EXPECT_GT(times(found, Probe::Kind::execution), sightline::tests::effort(1000U, 100U));
 }
 
-TEST(I8080Probe, WatchesStopWhereEachCycleIsCompared) {
+TEST(I8080Probe, WatchpointsStopLikeTheOracle) {
   const Walk found = walks({.accesses = true}, 19750101);
   EXPECT_GT(times(found, Probe::Kind::read), sightline::tests::effort(500U, 50U));
   EXPECT_GT(times(found, Probe::Kind::write), sightline::tests::effort(500U, 50U));

@@ -80,7 +80,7 @@ TEST(GuestI8080, ADeviceEndsARunAfterTheInstructionThatTouchedIt) {
   EXPECT_EQ(machine.registers().pc, 3);
 }
 
-TEST(GuestI8080, LimitsHoldWhileAProgramAsksAPort) {
+TEST(GuestI8080, LimitsApplyWhileAProgramPollsAPort) {
   i8080::Machine machine;
   attach_board(machine);
   put(machine, {0xDB, 0x10, 0xC3, 0x00, 0x00});  // IN 10; JMP 0
@@ -96,7 +96,7 @@ TEST(GuestI8080, LimitsHoldWhileAProgramAsksAPort) {
   EXPECT_EQ(now(machine), 1'100'000);
 }
 
-TEST(GuestI8080, AnInterruptThatAnOutBringsFollowsTheOut) {
+TEST(GuestI8080, AnInterruptCausedByAnOutFollowsTheOut) {
   for (const bool wired : {true, false}) {
     i8080::Machine machine;
     attach_board(machine, wired);
@@ -110,7 +110,7 @@ TEST(GuestI8080, AnInterruptThatAnOutBringsFollowsTheOut) {
 }
 
 // The OUT has T3 of its last cycle in T-state 22; the NOPs behind it begin in 23, 27, and so on.
-TEST(GuestI8080, AnInterruptThatAnOutBringsLaterComesInTime) {
+TEST(GuestI8080, ADelayedInterruptCausedByAnOutComesInTime) {
   for (const std::int64_t delay : {1, 4, 5, 100, 1000}) {
     i8080::Machine machine;
     attach_board(machine, true, delay);
@@ -131,7 +131,7 @@ TEST(GuestI8080, AnInterruptThatAnOutBringsLaterComesInTime) {
   }
 }
 
-TEST(GuestI8080, ARunEndsWhereTheProgramComesToAPlace) {
+TEST(GuestI8080, ARunEndsAtAnAddress) {
   i8080::Machine machine;
   Board& board = attach_board(machine);
   put(machine, {0x00, 0xC3, 0x00, 0x10});  // NOP; JMP 1000
@@ -149,7 +149,7 @@ TEST(GuestI8080, ARunEndsWhereTheProgramComesToAPlace) {
   EXPECT_EQ(machine.instructions(), 2U + 2 * 4 + 1);
 }
 
-TEST(GuestI8080, ARunToAPlaceHasLimits) {
+TEST(GuestI8080, ARunToAnAddressHasLimits) {
   i8080::Machine machine;
   put(machine, {0xC3, 0x00, 0x00});
   i8080::Limits limits;

@@ -130,7 +130,7 @@ TEST(CpmRun, ItsOwnOutToTheStubsPortsIsAnUnansweredPort) {
             R"([{"port":"00","reads":0,"writes":1},{"port":"01","reads":1,"writes":2}])");
 }
 
-TEST(CpmRun, WithoutATakerTheReportHasWhatIsPrinted) {
+TEST(CpmRun, WithoutATakerTheReportHasTheOutput) {
   const Left left = run_of(hello).set("--cpm").set("--json").go();
   EXPECT_EQ(*left.report.find("console")->text(), "Hello, world\r\n");
   EXPECT_EQ(cpm_run_of(hello).set("--json").go().report.find("console"), nullptr);
@@ -159,7 +159,7 @@ TEST(RunI8080, Limits) {
   EXPECT_EQ(run_of(loop).set("--max-states", "0").go().number("instructions"), 0);
 }
 
-TEST(RunI8080, BeingAskedInBetweenChangesNothing) {
+TEST(RunI8080, PollingDuringARunChangesNothing) {
   NEEDS_OPTIMISED_CODE();
   // 22 x 65536 x (5 + 5 + 4 + 10), more than one slice
   const MachineRun counting = run_of(
@@ -213,7 +213,7 @@ TEST(RunI8080, AnInterruptEndsAHaltAndIsTraced) {
   EXPECT_EQ(deaf.go().text("registers", "pc"), "010A");
 }
 
-TEST(RunI8080, WhatThePlotterDrawsIsJoinedByStep) {
+TEST(RunI8080, StepsOfThePlotterAreJoined) {
   // The Minigraf: pen down at (0, 0), two steps along x, one diagonal; pen up for two steps, down for a dot.
   std::string program;
   for (const char* byte : {"80H", "81H", "82H", "8BH", "0CH", "0DH", "8DH", "0DH"}) {

@@ -86,7 +86,7 @@ struct Rig {
 
 constexpr pdp7::Limits a_second{~std::uint64_t{0}, core::at_nanoseconds(1'000'000'000)};
 
-TEST(ProgramWatch, TellsWhatIsMarked) {
+TEST(ProgramWatch, ReportsMarkedCycles) {
   Rig rig;
   // LAC 110, DAC 111, ISZ 110, DAC 110, LAC 111, HLT
   rig.load(0100, {0200110, 0040111, 0440110, 0040110, 0200111, 0740040});
@@ -98,7 +98,7 @@ TEST(ProgramWatch, TellsWhatIsMarked) {
                                                          {pdp7::Verb::modify, 0110}}));
 }
 
-TEST(ProgramWatch, StopsBehindTheInstruction) {
+TEST(ProgramWatch, StopsAfterTheInstruction) {
   Rig rig(At::nothing, true);
   rig.load(0100, {0740000, 0740000, 0740000, 0740040});
   rig.machine.start(0100);
@@ -109,7 +109,7 @@ TEST(ProgramWatch, StopsBehindTheInstruction) {
 }
 
 // The last instruction of a run is told, too, where no boundary is asked about behind it.
-TEST(ProgramWatch, TellsAHalt) {
+TEST(ProgramWatch, ReportsAHalt) {
   Rig rig(At::nothing, true);
   rig.load(0101, {0740040});
   rig.machine.start(0101);
@@ -126,7 +126,7 @@ TEST(ProgramWatch, StopsWhereAPassBegins) {
 
 // The display is brought up to date at the first boundary at or after the end of its pass, and so the taker of strokes hears of the end there; one
 // instruction later, or behind the interrupt, the run stops.
-TEST(ProgramWatch, StopsBehindTheBoundaryAtWhichAPassEnds) {
+TEST(ProgramWatch, StopsAfterTheBoundaryAtWhichAPassEnds) {
   for (const bool interrupts : {false, true}) {
     Rig free;
     free.load_display(interrupts);
@@ -149,7 +149,7 @@ TEST(ProgramWatch, StopsBehindTheBoundaryAtWhichAPassEnds) {
   }
 }
 
-TEST(ProgramWatch, KeepsStrokesWhereItIsTold) {
+TEST(ProgramWatch, KeepsStrokesOnRequest) {
   Rig rig;
   rig.load_display(false);
   EXPECT_EQ(rig.run(a_second), pdp7::StopReason::time_limit);

@@ -200,7 +200,7 @@ TEST(HardCaseRunner, FindsUnexpectedResults) {
 }
 
 // A record that is not what comes out is found: the two directions of a case, and of a family's first failure.
-TEST(HardCaseRecords, WhatIsOtherwiseIsFound) {
+TEST(HardCaseRecords, DeviationsAreFound) {
   HardCase hard;
   hard.input = "J5.json";
   hard.run = {"jones"};
@@ -279,7 +279,7 @@ TEST(HardCaseCommands, AreTheInputInTheViewOfTheCase) {
 }
 
 // Every text among the inputs says what it is; no scene and no grid is taken for one.
-TEST(HardCaseCommands, TextsSayWhatTheyAre) {
+TEST(HardCaseCommands, TextsAreRecognised) {
   for (const auto& [name, text] : hard_case_files())
     EXPECT_EQ(kind_of_commands(text).empty(), !name.ends_with(".txt")) << name;
   EXPECT_EQ(kind_of_commands("# a comment\nMOVE 10 0\n"), "commands of Skala's program on the 8080");

@@ -84,7 +84,7 @@ TEST_P(HardCaseRuns, EveryExpectationIsChecked) {
 }
 
 // The method measures the distance of a piece to its first corner. Any other must give right pictures, too.
-TEST(WillisCorners, AnyOneOfAPieceGivesItsDistance) {
+TEST(WillisCorners, AnyCornerMayGiveTheDistance) {
   namespace views = sightline::compare;
   std::size_t cases = 0;
   for (const HardCaseGroup& group : manifest().groups) {
@@ -110,7 +110,7 @@ TEST(WillisCorners, AnyOneOfAPieceGivesItsDistance) {
   EXPECT_GT(cases, 20U);
 }
 
-TEST(HardCaseFamilies, FailFirstWhereTheManifestSays) {
+TEST(HardCaseFamilies, FailFirstAsRecorded) {
   for (const Family& family : manifest().families) {
     const auto results = run_family(family);
     ASSERT_TRUE(results) << results.error().message();

@@ -43,7 +43,7 @@ TEST_F(JonesErrorTable, EveryViewIsComplete) {
 
 // The house and the corridor come out as published. The two open scenes have a quarter to a third less: the
 // program crosses no opening from behind and bounds lines in space, which the prototype did not.
-TEST_F(JonesErrorTable, IsThePublishedOne) {
+TEST_F(JonesErrorTable, EqualsThePublishedTable) {
   for (std::size_t build = 0; build < builds; ++build) {
     for (const std::size_t scene : {std::size_t{0}, corridor8})
       EXPECT_NEAR(per_cent(scene, build), published[scene][build], 0.04) << scene << ' ' << build;
@@ -62,7 +62,7 @@ TEST_F(JonesErrorTable, EachBitAboutHalvesTheErrorAndRoundingIsWorthABit) {
       EXPECT_GT(ratio, 1.6) << scene << " f=" << f;
       EXPECT_LT(ratio, 2.5) << scene << " f=" << f;
     }
-    EXPECT_GT(per_cent(scene, 5), 1.5 * per_cent(scene, 2)) << "cut off, f = 2";
+    EXPECT_GT(per_cent(scene, 5), 1.5 * per_cent(scene, 2)) << "truncated, f = 2";
   }
 }
 
@@ -87,7 +87,7 @@ TEST_F(JonesErrorTable, OnePieceIsWrongByMoreThanTwentyPoints) {
 }
 
 // Between whole points the fraction bits cannot be seen, but for the wrong piece.
-TEST_F(JonesErrorTable, OnTheDisplayFractionBitsOnlyMendTheWrongPiece) {
+TEST_F(JonesErrorTable, OnTheDisplayFractionBitsOnlyCorrectTheWrongPiece) {
   for (std::size_t scene = 0; scene < scenes; ++scene) {
     const auto shown = [&](std::size_t build) {
       return 100 * table.rows[scene].cells[build].displayed->share();

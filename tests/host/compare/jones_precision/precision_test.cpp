@@ -28,7 +28,7 @@ SceneInCore in_core(const char* scene) {
 
 class JonesPrecision : public testing::TestWithParam<const char*> {};
 
-TEST_P(JonesPrecision, EighteenBitsAreTheTwin) {
+TEST_P(JonesPrecision, EighteenBitsEqualTheTwin) {
   const SceneInCore scene = in_core(GetParam());
   for (int f = 0; f <= 3; ++f) {
     for (const bool truncate : {false, true}) {
@@ -51,7 +51,7 @@ TEST_P(JonesPrecision, EighteenBitsAreTheTwin) {
 }
 
 // With all roundings of the machine the pieces are the machine's; with none they are those of 36 bits.
-TEST_P(JonesPrecision, MixedWordsAreThoseOfTheirRoundings) {
+TEST_P(JonesPrecision, MixedWordsEqualThoseOfTheirRoundings) {
   const SceneInCore scene = in_core(GetParam());
   const auto expect_same = [](const PreciseView& a, const PreciseView& b) {
     ASSERT_EQ(a.pieces.size(), b.pieces.size());
@@ -77,7 +77,7 @@ TEST_P(JonesPrecision, MixedWordsAreThoseOfTheirRoundings) {
 }
 
 // The two widths of integers behind the words must not show.
-TEST_P(JonesPrecision, LongAndShortWordsCalculateAlike) {
+TEST_P(JonesPrecision, LongAndShortWordsGiveTheSame) {
   const SceneInCore scene = in_core(GetParam());
   const Parameters parameters = default_parameters(scene.core, 0);
   for (const int bits : {12, 14, 18, 19, 24, 30}) {
@@ -140,7 +140,7 @@ TEST(JonesPrecisionStudy, EachFractionBitHalvesTheErrorOfAnyWordLength) {
 }
 
 // The oracle and the program share no code: here they say the same to the last digits.
-TEST(JonesPrecisionStudy, FloatingPointIsExactBeyondWhatCanBeSeen) {
+TEST(JonesPrecisionStudy, FloatingPointIsExactBeyondTheVisibleResolution) {
   for (const SixViews& views : six_views) {
     const PrecisionStudy study = study_of(views);
     const Measured as_double = study.measure({NumberKind::double_float, 0, 0, false});
@@ -148,7 +148,7 @@ TEST(JonesPrecisionStudy, FloatingPointIsExactBeyondWhatCanBeSeen) {
     EXPECT_LT(as_double.clipped.longest, 1e-10) << views.scene;
     EXPECT_LT(as_float.clipped.longest, 1e-3) << views.scene;
     EXPECT_GT(as_float.clipped.longest, as_double.clipped.longest) << views.scene;
-    EXPECT_GT(as_double.clipped.visible, 10000) << "there is something to see";
+    EXPECT_GT(as_double.clipped.visible, 10000) << "something is visible";
     EXPECT_GT(as_double.muldivs, 1000U);
   }
 }
@@ -171,7 +171,7 @@ class JonesLineError : public testing::Test {
   }
 };
 
-TEST_F(JonesLineError, NothingIsWrongWithThePiecesOfALine) {
+TEST_F(JonesLineError, ThePiecesOfALineHaveNoError) {
   const LineError error = error_of({drawn(600, 512, 641), drawn(600, 640), drawn(550, 610)});
   EXPECT_DOUBLE_EQ(error.visible, 128);
   EXPECT_DOUBLE_EQ(error.missing, 0);
@@ -179,7 +179,7 @@ TEST_F(JonesLineError, NothingIsWrongWithThePiecesOfALine) {
   EXPECT_TRUE(error.wrong.empty());
 }
 
-TEST_F(JonesLineError, MissingAndExtraAreToldApart) {
+TEST_F(JonesLineError, MissingAndExtraAreDistinguished) {
   const LineError error = error_of({drawn(542, 650)});
   EXPECT_DOUBLE_EQ(error.missing, 30);
   EXPECT_DOUBLE_EQ(error.extra, 10);
