@@ -1,4 +1,4 @@
-// The error of frames of a turn, against what it must be by hand and by law.
+// The error of frames of a turn, compared with hand computation and with laws.
 #include "host/compare/turn_error.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ TEST(TurnError, ExactEventsHaveNoErrorAndJoinedOnesSome) {
   EXPECT_EQ(some.seen_length, none.seen_length);
 }
 
-// A frame half a turn away is another picture.
+// A frame half a turn away is a different picture.
 TEST(TurnError, TheShownFrameIsTheMeasuredOne) {
   const plantinga::RotationModel model(scene::generate_boxes(5, 3));
   const auto frames = exact_frames(model, around(12));

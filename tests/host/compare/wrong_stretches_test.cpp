@@ -1,4 +1,4 @@
-// What a drawing shows wrongly: cases worked out by hand, and the same lengths as sampling gives.
+// The errors of a drawing: cases computed by hand, and the same lengths as by sampling.
 #include "host/compare/wrong_stretches.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace oracle = algorithms::oracle;
 
 constexpr geometry::Point eye{0, 0, 0};
 
-// With S = 512 and z = 512 a unit is a point: the line y = 100 of that depth is the row 612.
+// With S = 512 and z = 512 a unit is a point: the line y = 100 at that depth is row 612.
 ImagePiece row_piece(double from, double to, std::int32_t y = 100, std::int32_t z = 512) {
   const double row = 512 + 512.0 * y / z;
   return {{0, {y, z}}, {from, row, to, row}};
@@ -40,7 +40,7 @@ TEST(WrongStretches, APictureIsRightWithinTheDistance) {
   EXPECT_NEAR(wrong_of(truth, {beside}).extra, 100, 1e-9);
 }
 
-// A point beyond each end of what is drawn is forgiven.
+// A point beyond each end of a drawn piece is tolerated.
 TEST(WrongStretches, AGapIsMissingExceptForAPointAtItsEnds) {
   const WrongStretches wrong = wrong_of({row_piece(600, 700)}, {row_piece(600, 620), row_piece(650, 700)});
   EXPECT_NEAR(wrong.true_length, 100, 1e-9);
@@ -55,8 +55,9 @@ TEST(WrongStretches, AGapIsMissingExceptForAPointAtItsEnds) {
   EXPECT_NEAR(stretch.at.y0, 612, 1e-9);
 }
 
-// The lines y = 100, z = 512 and y = 200, z = 1024 have one image, and so have, from an eye at their height,
-// one parallel to x and one parallel to z.
+// The lines y = 100, z = 512 and y = 200, z = 1024 have the same image, and so have, from an eye at their height, a line parallel
+// to x
+// and one parallel to z.
 TEST(WrongStretches, LinesWithTheSameImageCountOnce) {
   const std::vector<ImagePiece> truth{row_piece(600, 700), row_piece(650, 750, 200, 1024)};
   EXPECT_NEAR(wrong_of(truth, {}).true_length, 150, 1e-9);
@@ -81,7 +82,7 @@ TEST(WrongStretches, EqualThoseFoundBySampling) {
   programs::jones::Dice dice(7);
   const auto place = [&dice] { return dice(0, 400) / 4.0; };
   for (int round = 0; round < 50; ++round) {
-    // Rows, and lines along z, whose images run from the middle of the screen; no two of one image.
+    // Rows, and lines along z, whose images start at the middle of the screen; no two have the same image.
     std::vector<ImagePiece> pieces;
     for (std::int32_t n = 0; n < 6; ++n) {
       const double a = place(), b = place();
@@ -102,7 +103,7 @@ TEST(WrongStretches, EqualThoseFoundBySampling) {
     const oracle::DrawnError error = oracle::drawn_error(sampled(truth), sampled(drawn), enlarged);
     const WrongStretches wrong = wrong_of(truth, drawn);
     EXPECT_NEAR(wrong.true_length, error.true_length / enlarged, 1e-6) << "round " << round;
-    // What is left out is shorter than a quarter of a point.
+    // Omitted stretches are shorter than a quarter of a point.
     EXPECT_NEAR(wrong.missing, error.missing / enlarged, 1.5) << "round " << round;
     EXPECT_NEAR(wrong.extra, error.extra / enlarged, 1.5) << "round " << round;
   }

@@ -1,4 +1,4 @@
-// A lesson as JSON and as a page, and the stage it is drawn on.
+// A lesson as JSON and as a page, and the stage on which it is drawn.
 #include "host/explain/lesson.hpp"
 
 #include <gtest/gtest.h>
@@ -83,8 +83,8 @@ TEST(ImageStage, ClipsLinesBehindTheEye) {
   EXPECT_TRUE(stage.line_in_image({0, 0, -1}, {5, 5, -10}).empty());
   const auto cut = stage.line_in_image(space(scene.vertices[0]), space(scene.vertices[1]));
   ASSERT_EQ(cut.size(), 2U);
-  EXPECT_NEAR(cut[1][1], 0.2, 1e-12);  // the far end is whole: 10 / 50
-  EXPECT_GT(cut[0][1], cut[1][1]);     // the near end is where the line passes the plane before the eye
+  EXPECT_NEAR(cut[1][1], 0.2, 1e-12);  // the far end is complete: 10 / 50
+  EXPECT_GT(cut[0][1], cut[1][1]);     // the near end is where the line crosses the plane in front of the eye
 }
 
 TEST(ImageStage, IsThePictureOfTheCamera) {
@@ -97,7 +97,7 @@ TEST(ImageStage, IsThePictureOfTheCamera) {
   EXPECT_NEAR(parallel.line_in_image({20, 30, -500}, {0, 0, 0})[0][0], 10, 1e-12);
 }
 
-// A scene behind the eye leaves nothing to draw, and a sheet that can be drawn on all the same.
+// A scene behind the eye gives an empty sheet, which can be drawn all the same.
 TEST(ImageStage, IsEmptyForASceneBehindTheEye) {
   const scene::PolyScene scene = two_points({0, 0, 0}, {1, 0, 0});
   const ImageStage stage(scene, {true, {0, 0, 500}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}});
@@ -126,7 +126,7 @@ TEST(LessonJson, NamesEveryStyle) {
     names.insert(name_of(static_cast<Look>(look)));
   }
   EXPECT_EQ(names.size(), 8U);
-  // The player knows them all.
+  // The player knows all of them.
   std::string player;
   for (const auto& [name, content] : player_files())
     if (name == "player.js") player = content;

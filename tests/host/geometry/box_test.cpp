@@ -1,4 +1,4 @@
-// Laws of boxes on all small ones, and of the tree over them against one test each.
+// Laws of boxes for all small ones, and of the tree over them, compared with a test of each box.
 #include "host/geometry/box.hpp"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ TEST(Span, SatisfiesTheLawsForAllSmallSpans) {
 class RandomBoxes {
  public:
   explicit RandomBoxes(std::int32_t reach) : reach_(reach) {}
-  // Perhaps flat, never turned inside out.
+  // Perhaps flat, never inverted.
   Box next() {
     Box box;
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -1,5 +1,6 @@
-// The public face: what a program that uses the library gets for arrays, names, wrong requests and files. The cube's edges are counted
-// by hand; that drawings are right is tested through the command (tests/host/app) and the algorithms.
+// The library interface: results for arrays, names, invalid requests and files. The cube's edges are counted by hand; tests of
+// the
+// command (tests/host/app) and of the algorithms check that drawings are correct.
 #include "host/hidden_lines/hidden_lines.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +26,7 @@ scene::PolyMesh cube() {
   return mesh;
 }
 
-// Looks at three sides of the cube at once.
+// A camera that sees three sides of the cube.
 Camera oblique() { return {false, {}, {-1, -1, -1}, {1, 0, -1}, {-1, 2, -1}}; }
 
 TEST(HiddenLines, OfACubeInMemoryNineEdgesAreVisibleAndThreeHidden) {
@@ -96,7 +97,7 @@ TEST(HiddenLines, ArraysThatAreNotAMeshAreErrorsWithTheirPosition) {
   refused = load(mesh);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().place, "materials");
-  // A corner is moved, so that a face is not plane: an error, or mended.
+  // Moves a corner, so that a face is not planar: an error, or mended.
   mesh = cube();
   mesh.vertices[6] = {10, 10, 13};
   EXPECT_FALSE(load(mesh, {}));
@@ -139,7 +140,7 @@ TEST(HiddenLines, ErrorsHaveAKindAndNameTheOption) {
     EXPECT_EQ(wrong(options).file, "hatch") << hatch.angle << ", " << hatch.spacing;
   }
   EXPECT_FALSE(visible_edges(scene->scene, oblique(), "painter"));
-  // Steeply from above: no moment of a turn about the vertical.
+  // Steeply from above: not a view of a turn about the vertical.
   const auto seen = visible_edges(scene->scene, oblique(), "plantinga");
   ASSERT_FALSE(seen);
   EXPECT_EQ(seen.error().kind, base::ErrorKind::bad_input);

@@ -1,4 +1,4 @@
-// --device: what it reads, what help says of it, and how a device's counts stand in a report.
+// --device: its syntax, its description in the help, and a device's counts in a report.
 #include "host/machines/device_option.hpp"
 
 #include <gtest/gtest.h>

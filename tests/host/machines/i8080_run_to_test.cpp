@@ -1,4 +1,4 @@
-// The 8080 of all guests: what a device says is seen at the next boundary, and a run ends at a place.
+// The 8080 as programs use it: a device's requests take effect at the next boundary, and a run ends at an address.
 #include "host/machines/i8080_run_to.hpp"
 
 #include <gtest/gtest.h>
@@ -16,8 +16,9 @@ namespace {
 
 using i8080::StopReason;
 
-// INT is high from the OUT of an odd byte, or a time after it, to the acknowledge, which is given RST 7. Without `drives` it is
-// not connected. The OUT of `stop_at` ends the run.
+// INT is high from the OUT of an odd byte, or a time after it, to the acknowledge, which receives RST 7. Without `drives` it is
+// not
+// connected. The OUT of `stop_at` ends the run.
 class Board final : public core::PortDevice {
  public:
   static constexpr core::PortRange ports[]{{0x10, 0x10}};
@@ -109,7 +110,7 @@ TEST(GuestI8080, AnInterruptCausedByAnOutFollowsTheOut) {
   }
 }
 
-// The OUT has T3 of its last cycle in T-state 22; the NOPs behind it begin in 23, 27, and so on.
+// T3 of the OUT's last cycle is T-state 22; the NOPs after it begin in 23, 27, and so on.
 TEST(GuestI8080, ADelayedInterruptCausedByAnOutComesInTime) {
   for (const std::int64_t delay : {1, 4, 5, 100, 1000}) {
     i8080::Machine machine;
@@ -121,7 +122,7 @@ TEST(GuestI8080, ADelayedInterruptCausedByAnOutComesInTime) {
     i8080::Limits limits;
     limits.until = core::at_t_state(22 + delay + 1);
     EXPECT_EQ(machine.run(limits), StopReason::time_limit);
-    const std::int64_t nops = (delay + 3) / 4;  // up to the one whose last T-state finds INT high
+    const std::int64_t nops = (delay + 3) / 4;  // up to the NOP whose last T-state samples INT high
     EXPECT_EQ(now(machine), 23 + 4 * nops) << delay;
     EXPECT_TRUE(machine.registers().interrupts_on);
     limits.instructions = 1;

@@ -1,4 +1,4 @@
-// What guests on the PDP-7 are told by their marks, which strokes they keep, and at which boundary a run stops.
+// For programs on the PDP-7: the marks that are reported, the strokes that are kept, and the boundary at which a run stops.
 #include "host/machines/pdp7_watch.hpp"
 
 #include <gtest/gtest.h>
@@ -108,7 +108,7 @@ TEST(ProgramWatch, StopsAfterTheInstruction) {
   EXPECT_EQ(rig.run(a_second), pdp7::StopReason::halt);
 }
 
-// The last instruction of a run is told, too, where no boundary is asked about behind it.
+// The last instruction of a run is reported, too, although no boundary follows it.
 TEST(ProgramWatch, ReportsAHalt) {
   Rig rig(At::nothing, true);
   rig.load(0101, {0740040});
@@ -124,8 +124,9 @@ TEST(ProgramWatch, StopsWhereAPassBegins) {
   EXPECT_EQ(rig.machine.registers().pc, 0103U);
 }
 
-// The display is brought up to date at the first boundary at or after the end of its pass, and so the taker of strokes hears of the end there; one
-// instruction later, or behind the interrupt, the run stops.
+// The display catches up at the first boundary at or after the end of its pass, where the taker of strokes is told of the end;
+// the run
+// stops one instruction later, or after the interrupt.
 TEST(ProgramWatch, StopsAfterTheBoundaryAtWhichAPassEnds) {
   for (const bool interrupts : {false, true}) {
     Rig free;
@@ -144,7 +145,7 @@ TEST(ProgramWatch, StopsAfterTheBoundaryAtWhichAPassEnds) {
     EXPECT_EQ(rig.run(a_second), pdp7::StopReason::observer);
     EXPECT_EQ(rig.machine.now(), first.machine.now() + pdp7::machine_cycle);
     EXPECT_EQ(rig.machine.registers().pc == 1, interrupts);
-    // Asked once.
+    // Requested once.
     EXPECT_EQ(rig.run(a_second), pdp7::StopReason::time_limit);
   }
 }

@@ -1,5 +1,4 @@
-// One run of a PDP-7 program: that being asked in between changes nothing, and what a run keeps of its
-// strokes.
+// One run of a PDP-7 program: polling during a run changes nothing; and the strokes that a run keeps.
 #include "host/machines/pdp7.hpp"
 
 #include <fmt/core.h>
@@ -34,9 +33,9 @@ MachineRun run_of(const std::string& core) {
   return MachineRun(machines::pdp7()).set_file("--load", "core", core);
 }
 
-// Counts at 200 for ever, with the clock interrupting every 20 ms. Each interrupt starts the display again,
-// whose data breaks fall between the counts; `interrupts` (a negative number) of them are counted, the last
-// one halts.
+// Counts at 200 for ever, with the clock interrupting every 20 ms. Each interrupt starts the display again, whose data breaks
+// fall between
+// the counts. The program counts `interrupts` (a negative number) of them; the last one halts.
 std::string busy_core(unsigned interrupts = 0777766) {
   return words_at(0, {0, 0600300}) +  // 0: what the interrupt stores; 1: JMP 300
          words_at(7, {0777777}) +     // the clock's counter: the next tick interrupts

@@ -199,7 +199,7 @@ TEST(HardCaseRunner, FindsUnexpectedResults) {
   EXPECT_EQ(finding(none, "jones").good, false);
 }
 
-// A record that is not what comes out is found: the two directions of a case, and of a family's first failure.
+// A record that differs from the result is found: both directions of a case, and of a family's first failure.
 TEST(HardCaseRecords, DeviationsAreFound) {
   HardCase hard;
   hard.input = "J5.json";
@@ -235,7 +235,7 @@ picture::Image grey(const std::vector<std::uint8_t>& pixels) {
   return image;
 }
 
-// Dark in the expected picture only, in the found one only, in both, in none.
+// Dark only in the expected picture, only in the found one, in both, in neither.
 TEST(HardCasePictures, MarkWhatDiffers) {
   const picture::Image image = side_by_side(grey({0, 255, 0, 255}), grey({255, 0, 0, 255}), "guest");
   ASSERT_EQ(image.channels, 3);
@@ -278,7 +278,7 @@ TEST(HardCaseCommands, AreTheInputInTheViewOfTheCase) {
   EXPECT_EQ(command("S7", "octants"), "");
 }
 
-// Every text among the inputs says what it is; no scene and no grid is taken for one.
+// Every text among the inputs begins with a description; none is read as a scene or grid.
 TEST(HardCaseCommands, TextsAreRecognised) {
   for (const auto& [name, text] : hard_case_files())
     EXPECT_EQ(kind_of_commands(text).empty(), !name.ends_with(".txt")) << name;

@@ -1,4 +1,4 @@
-// Jones's program in other arithmetic, and the measure of what that costs.
+// Jones's program in other arithmetic, and the measure of the resulting error.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -50,7 +50,7 @@ TEST_P(JonesPrecision, EighteenBitsEqualTheTwin) {
   }
 }
 
-// With all roundings of the machine the pieces are the machine's; with none they are those of 36 bits.
+// With all roundings of the machine the pieces equal the machine's; with none they equal those of 36 bits.
 TEST_P(JonesPrecision, MixedWordsEqualThoseOfTheirRoundings) {
   const SceneInCore scene = in_core(GetParam());
   const auto expect_same = [](const PreciseView& a, const PreciseView& b) {
@@ -76,7 +76,7 @@ TEST_P(JonesPrecision, MixedWordsEqualThoseOfTheirRoundings) {
   }
 }
 
-// The two widths of integers behind the words must not show.
+// The result must not depend on the width of the integers behind the words.
 TEST_P(JonesPrecision, LongAndShortWordsGiveTheSame) {
   const SceneInCore scene = in_core(GetParam());
   const Parameters parameters = default_parameters(scene.core, 0);
@@ -107,9 +107,8 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, JonesPrecision,
                          testing::Values("house", "roberts", "street4", "corridor8", "corridor32"),
                          [](const auto& scene) { return std::string(scene.param); });
 
-// At scale 512 a word needs 12 bits and the fraction to hold the window, and it must hold what is seen: the
-// house and Roberts's solids are within 2047 units of the eye, and so are the rooms of the corridor that are
-// looked into; the street is 2980 units long.
+// At scale 512 a word needs 12 bits plus the fraction to hold the window, and it must hold the visible coordinates: the house and
+// Roberts's solids are within 2047 units of the eye, and so are the visible rooms of the corridor; the street is 2980 units long.
 TEST(JonesPrecisionStudy, FirstWordLengthOfEachScene) {
   EXPECT_EQ(study_of(six_views[0]).shortest_complete_word(0, false), 12);
   EXPECT_EQ(study_of(six_views[0]).shortest_complete_word(1, true), 13);
@@ -139,7 +138,7 @@ TEST(JonesPrecisionStudy, EachFractionBitHalvesTheErrorOfAnyWordLength) {
   }
 }
 
-// The oracle and the program share no code: here they say the same to the last digits.
+// The oracle and the program share no code; here they agree to the last digits.
 TEST(JonesPrecisionStudy, FloatingPointIsExactBeyondTheVisibleResolution) {
   for (const SixViews& views : six_views) {
     const PrecisionStudy study = study_of(views);
@@ -153,8 +152,9 @@ TEST(JonesPrecisionStudy, FloatingPointIsExactBeyondTheVisibleResolution) {
   }
 }
 
-// A line along x at y = 100, z = 100 seen from the origin at scale 512: y = 1024 on the screen, out of the
-// window; at z = 200 and y = 50 it is at 512 + 128.
+// A line along x at y = 100, z = 100 seen from the origin at scale 512: y = 1024 on the screen, outside the window; at z = 200
+// and
+// y = 50 it is at 512 + 128.
 class JonesLineError : public testing::Test {
  protected:
   const SceneLine line{0, {0, 50, 200}, {100, 50, 200}};
