@@ -94,7 +94,7 @@ TEST(RunPdp7, WarnsOnceOfMemoryThatIsEmpty) {
 }
 
 // A state that is refused leaves the machine without a display if it had none.
-TEST(RunPdp7, ARefusedStatePlugsInNoDisplay) {
+TEST(RunPdp7, AFailedRestoreConnectsNoDisplay) {
   const Left used = run_of(busy_core()).set("--start", "100").set("--max-instructions", "100").go();
   machines::MachineState damaged = used.machine->save();
   const auto display = std::find_if(damaged.begin(), damaged.end(), [](const auto& section) { return section.name == "display"; });
@@ -113,7 +113,7 @@ TEST(RunPdp7, ARefusedStatePlugsInNoDisplay) {
   EXPECT_TRUE(same(fresh->machine->save(), before));
 }
 
-TEST(RunPdp7, BeingAskedInBetweenChangesNothing) {
+TEST(RunPdp7, PollingDuringARunChangesNothing) {
   NEEDS_OPTIMISED_CODE();
   const Left alone = busy_run().set("--max-instructions", "20000000").go();
   EXPECT_EQ(alone.stop.name, "halt");
@@ -132,7 +132,7 @@ TEST(RunPdp7, BeingAskedInBetweenChangesNothing) {
   expect_same(in_between, long_alone);
 }
 
-TEST(RunPdp7, MovingThePenWhereItSeesNothingChangesNothing) {
+TEST(RunPdp7, MovingADisabledPenChangesNothing) {
   const MachineRun watched = busy_run().set("--trace").set("--strokes");
   const Left alone = MachineRun(watched).go();
   ASSERT_EQ(alone.stop.name, "halt");
@@ -191,7 +191,7 @@ TEST(RunPdp7, ThePenMovesAtTheFirstBoundaryAtOrAfterItsTime) {
   EXPECT_LT(found, 161);
 }
 
-TEST(RunPdp7, APenWithoutADisplayIsNothing) {
+TEST(RunPdp7, APenWithoutADisplayHasNoEffect) {
   machines::Pdp7Setup setup;
   setup.pen_script = {{core::at_nanoseconds(0), type340::LightPen{}}};
   const auto machine = make_pdp7(setup).value();

@@ -303,7 +303,7 @@ void expect_same_stops(std::uint64_t seed, std::uint64_t instructions, std::size
   ASSERT_EQ(state_later(*machine) == state_later(*oracle), true) << "seed " << seed << ", unwatched";
 }
 
-TEST(Pdp7Watch, RandomProgramsStopWhereEachInstructionIsAsked) {
+TEST(Pdp7Watch, RandomProgramsStopLikeTheOracle) {
   std::size_t stops = 0;
   const std::uint64_t programs = tests::effort(100U, 10U);
   for (std::uint64_t seed = 1; seed <= programs && !::testing::Test::HasFatalFailure(); ++seed) expect_same_stops(seed, 2000, stops);

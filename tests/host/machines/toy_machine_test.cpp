@@ -157,7 +157,7 @@ TEST(ToyMachine, RunsToItsHaltAndIsReported) {
   EXPECT_EQ(left.dump, "9 05\n00 00 00 00\n1E 2F 3D 50\n00 00 00 00\n00 05 02 03\n");
 }
 
-TEST(ToyMachine, LimitsAndQuestionsEndRuns) {
+TEST(ToyMachine, LimitsAndPollsEndRuns) {
   EXPECT_EQ(run_of(counting).set("--max-instructions", "7").go().number("instructions"), 7);
   const Left left = run_of(counting).set("--max-time", "12").set("--printer").go();
   EXPECT_EQ(left.stop.name, "time_limit");
@@ -183,7 +183,7 @@ TEST(ToyMachine, DevicesTakeAndGiveFiles) {
   EXPECT_EQ(left.machine->output("--device-out"), (machines::Bytes{'x', 'y', 'z'}));
 }
 
-TEST(ToyMachine, WhatIsWrongIsRefused) {
+TEST(ToyMachine, ErrorsAreRejected) {
   EXPECT_EQ(MachineRun(toy()).refusal(),
             "run toy: needs a PROGRAM or --load FILE: without a program there is nothing to run");
   EXPECT_EQ(run_of("0=0").set("--device-out", "out").refusal(), "--device-out: needs --device");
@@ -203,7 +203,7 @@ TEST(ToyMachine, WhatIsWrongIsRefused) {
             "--max-instructions: found \"x\", expected a whole decimal number such as 1000000 or 1e6");
 }
 
-TEST(Machines, EveryOneHasWhatTheCommandsAskFor) {
+TEST(Machines, EveryOneHasWhatTheCommandsNeed) {
   for (const machines::MachineDescription* machine : machines::machines()) {
     EXPECT_FALSE(machine->name.empty());
     EXPECT_NE(machine->make, nullptr) << machine->name;

@@ -72,7 +72,7 @@ TEST(Apng, FirstFrameIsThePicture) {
   EXPECT_EQ(file->image, picture(20, 10, 0));
 }
 
-TEST(Apng, EveryFrameIsWhole) {
+TEST(Apng, EveryFrameIsComplete) {
   const base::Bytes bytes = animation(4);
   int frame = 0;
   for (const Chunk& chunk : chunks_of(bytes)) {
@@ -105,7 +105,7 @@ TEST(Apng, CodesOfAllChunks) {
   EXPECT_EQ(number(bytes, bytes.size() - 4), 0xAE426082U);
 }
 
-TEST(Apng, RefusesWhatDoesNotFit) {
+TEST(Apng, RejectsUnsuitablePictures) {
   ApngWriter writer;
   EXPECT_FALSE(writer.finish());
   EXPECT_FALSE(writer.add(Image()));

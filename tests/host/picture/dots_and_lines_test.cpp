@@ -9,7 +9,7 @@
 namespace sightline::picture {
 namespace {
 
-TEST(DotsAndLines, ARightRasterIsAHalfAway) {
+TEST(DotsAndLines, ACorrectRasterIsHalfADotAway) {
   // A level line at 4.4: dots at 4, 0.4 away; the line is up to (0.5, 0.4) from a dot.
   PixelGrid dots(32, 16);
   for (int x = 2; x <= 12; ++x) dots.set(x, 4, 1);
@@ -22,7 +22,7 @@ TEST(DotsAndLines, ARightRasterIsAHalfAway) {
   EXPECT_GE(d.hausdorff.greatest, 0.4) << "not 0";
 }
 
-TEST(DotsAndLines, WhatIsMissingAndTooMuch) {
+TEST(DotsAndLines, MissingAndExtra) {
   PixelGrid dots(32, 16);
   for (int x = 0; x <= 10; ++x) dots.set(x, 8, 1);
   dots.set(5, 11, 1);  // 3 away
@@ -51,7 +51,7 @@ TEST(DotsAndLines, OneMovedDotIsFound) {
   EXPECT_LT(right.hausdorff.greatest, 0.8);
 }
 
-TEST(DotsAndLines, OfNothing) {
+TEST(DotsAndLines, OfEmptyPictures) {
   const PixelGrid nothing(8, 8);
   const DotsAndLines lost = dots_and_lines(nothing, {{{1, 1}, {5, 1}}});
   EXPECT_DOUBLE_EQ(lost.length_beyond_2, 4);

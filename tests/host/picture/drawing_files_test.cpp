@@ -35,7 +35,7 @@ VectorDrawing three_lines() {
 const DrawnLines expected_lines{{{10, 10}, {110, 10}, {110, 80}}, {{30, 20}, {50, 40}}, {{60, 45}}};
 
 // Layers without lines are in no file, and the others have the same numbers in all of them.
-TEST(VectorDrawings, LayersWithoutLinesAreLeftOut) {
+TEST(VectorDrawings, LayersWithoutLinesAreOmitted) {
   VectorDrawing drawing = three_lines();
   drawing.layers = {{"flat", {1, 1, 1}}, drawing.layers[0], {"border", {2, 2, 2}}, drawing.layers[1], {"hidden", {3, 3, 3}}};
   for (DrawingLine& line : drawing.lines) line.layer = line.layer == 0 ? 1 : 3;
@@ -79,7 +79,7 @@ TEST(VectorDrawings, ASheetHasTheSamePixelsForEveryMillimetre) {
   }
 }
 
-TEST(Pdf, ObjectsAreWhereTheTableSaysAndLinesWhereThePaperHasThem) {
+TEST(Pdf, ObjectsMatchTheTableAndLinesThePaper) {
   const std::string pdf = pdf_of(three_lines(), a_sheet, "a (drawing)");
   EXPECT_EQ(pdf, pdf_of(three_lines(), a_sheet, "a (drawing)"));
   ASSERT_EQ(pdf.substr(0, 8), "%PDF-1.5");
@@ -115,7 +115,7 @@ TEST(Pdf, ObjectsAreWhereTheTableSaysAndLinesWhereThePaperHasThem) {
   EXPECT_EQ(lines[3], (std::vector<std::pair<double, double>>{{60, 45}, {60, 45}}));
 }
 
-TEST(Dxf, EntitiesAreOfLayersThatTheTableHas) {
+TEST(Dxf, EntitiesHaveLayersOfTheTable) {
   const std::string dxf = dxf_of(three_lines(), a_sheet);
   std::istringstream text(dxf);
   std::vector<std::pair<int, std::string>> groups;
@@ -152,7 +152,7 @@ TEST(Dxf, DashedLayersHaveALinetype) {
 }
 
 // What is shorter than a thousandth of a millimetre is no piece of a line, alone or within a line.
-TEST(VectorDrawings, NoPieceHasLengthZeroInAFile) {
+TEST(VectorDrawings, NoSegmentHasLengthZeroInAFile) {
   VectorDrawing drawing;
   drawing.width = 100;
   drawing.height = 70;
@@ -170,7 +170,7 @@ TEST(VectorDrawings, NoPieceHasLengthZeroInAFile) {
 }
 
 // Distances do not add up their roundings: after thousands of them a line is where it should be.
-TEST(Svg, LinesAreWhereThePaperHasThem) {
+TEST(Svg, LinesAreAtTheirPositionOnThePaper) {
   VectorDrawing drawing;
   drawing.width = 50;
   drawing.height = 70;

@@ -108,7 +108,7 @@ std::optional<std::vector<DrawnSegment>> expected_lines(const View& view, const 
 // Both ways: each line is in the file, and the file has nothing else.
 void expect_same(const std::vector<DrawnSegment>& expected, const std::vector<DrawnSegment>& found, double tolerance) {
   for (const DrawnSegment& line : expected) ASSERT_LE(tests::distance_from(found, line), tolerance) << "a line is missing";
-  for (const DrawnSegment& line : found) ASSERT_LE(tests::distance_from(expected, line), tolerance) << "a line is nowhere in the picture";
+  for (const DrawnSegment& line : found) ASSERT_LE(tests::distance_from(expected, line), tolerance) << "a line is extra";
 }
 
 std::vector<DrawnSegment> moved(std::vector<DrawnSegment> lines, double scale, double across, double up) {

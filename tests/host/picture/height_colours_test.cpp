@@ -20,7 +20,7 @@ TEST(HeightColours, AreLighterWithHeight) {
   }
 }
 
-TEST(HeightColours, BeyondTheRangeAreThoseOfItsEnds) {
+TEST(HeightColours, AreClampedToTheRange) {
   EXPECT_EQ(height_colour(-1), height_colour(0));
   EXPECT_EQ(height_colour(2), height_colour(1));
   EXPECT_EQ(height_colour(std::nan("")), height_colour(0));

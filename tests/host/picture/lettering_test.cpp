@@ -22,7 +22,7 @@ VectorDrawing drawn(const std::string& text, double height = 6, TextDirection di
   return drawing;
 }
 
-TEST(Lettering, EverySignIsWithinItsPlace) {
+TEST(Lettering, EveryCharacterIsWithinItsBox) {
   for (const char c : every_sign()) {
     const std::string sign(1, c);
     VectorDrawing drawing;
@@ -38,7 +38,7 @@ TEST(Lettering, EverySignIsWithinItsPlace) {
 }
 
 // A sign is as wide as it says: its strokes reach both sides.
-TEST(Lettering, SignsFillTheirWidth) {
+TEST(Lettering, CharactersFillTheirWidth) {
   for (const char c : every_sign()) {
     const auto points = drawn(std::string(1, c)).points;
     if (points.empty() || (c >= '0' && c <= '9')) continue;
@@ -48,19 +48,19 @@ TEST(Lettering, SignsFillTheirWidth) {
   }
 }
 
-TEST(Lettering, SignsAreTold) {
+TEST(Lettering, CharactersDiffer) {
   const std::string all = every_sign();
   for (const char a : all)
     for (const char b : all) EXPECT_EQ(drawn(std::string(1, a)).points == drawn(std::string(1, b)).points, a == b) << a << b;
   EXPECT_EQ(drawn("\n").points, drawn("\xe4").points);
 }
 
-TEST(Lettering, FiguresAreOfOneWidth) {
+TEST(Lettering, DigitsHaveOneWidth) {
   for (char c = '1'; c <= '9'; ++c) EXPECT_EQ(text_width(6, std::string(1, c)), text_width(6, "0"));
 }
 
 // Strokes of the parts follow each other; those of a turned text are turned.
-TEST(Lettering, TextIsItsSigns) {
+TEST(Lettering, TextConsistsOfItsCharacters) {
   const VectorDrawing whole = drawn("Qgy 8");
   VectorDrawing parts;
   double x = 0;

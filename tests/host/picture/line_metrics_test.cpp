@@ -25,7 +25,7 @@ DrawnPiece drawn(LineId id, double from, double to, double y = 10) {
   return {id, {{from, y}, {to, y}}};
 }
 
-TEST(LineMetrics, OfWhatIsSeenIsNothing) {
+TEST(LineMetrics, OfTheVisiblePartsAreZero) {
   const LineMetrics m = line_metrics({hundred(1)}, {drawn(1, 20, 60)});
   EXPECT_NEAR(m.true_length, 40, 1e-9);
   EXPECT_NEAR(m.drawn_length, 40, 1e-9);
@@ -37,7 +37,7 @@ TEST(LineMetrics, OfWhatIsSeenIsNothing) {
   EXPECT_EQ(m.pieces_different, 0U);
 }
 
-TEST(LineMetrics, CountsWhatIsMissingAndWhatIsExtra) {
+TEST(LineMetrics, CountsMissingAndExtra) {
   // 15 missing at the left, 10 extra at the right.
   const LineMetrics m = line_metrics({hundred(1)}, {drawn(1, 35, 70)});
   EXPECT_NEAR(m.missing, 15, 1e-9);
@@ -55,13 +55,13 @@ TEST(LineMetrics, CountsWhatIsMissingAndWhatIsExtra) {
   EXPECT_GE(m.wrong_visibility.high, 23.0 / 96);
 }
 
-TEST(LineMetrics, APieceBesideItsLineIsMeasuredOnTheLine) {
+TEST(LineMetrics, APieceNextToItsLineIsMeasuredOnTheLine) {
   const LineMetrics m = line_metrics({hundred(1)}, {drawn(1, 20, 60, 10.5)});
   EXPECT_NEAR(m.missing + m.extra, 0, 1e-9);
   EXPECT_NEAR(m.hausdorff.greatest, 0.5, 1e-9);
 }
 
-TEST(LineMetrics, DrawingTwiceAndInPartsIsNoError) {
+TEST(LineMetrics, DrawingTwiceAndInPartsIsNotAnError) {
   const LineMetrics m = line_metrics({hundred(1)}, {drawn(1, 20, 45), drawn(1, 60, 40), drawn(1, 30, 50)});
   EXPECT_NEAR(m.drawn_length, 40, 1e-9);
   EXPECT_NEAR(m.symmetric(), 0, 1e-9);
@@ -85,7 +85,7 @@ TEST(LineMetrics, PiecesOfUnknownLinesAreExtra) {
   EXPECT_EQ(m.pieces_different, 1U);
 }
 
-TEST(LineMetrics, AskOnlyWhereThereAreEdges) {
+TEST(LineMetrics, SampleOnlyOnEdges) {
   ReferenceLine line = hundred(1);
   line.edges = {{0, 0.3}, {0.5, 0.6}};
   line.visible = {{0, 0.3}};
@@ -172,7 +172,7 @@ TEST(LineMetricsLaws, Hold) {
     const LineMetrics m = line_metrics(p.truth, p.drawn, {2000, 1});
     EXPECT_LE(m.extra_far, m.extra + 1e-9);
     EXPECT_LE(m.missing_far, m.missing + 1e-9);
-    EXPECT_NEAR(m.true_length - m.missing, m.drawn_length - m.extra, 1e-6) << "what both have";
+    EXPECT_NEAR(m.true_length - m.missing, m.drawn_length - m.extra, 1e-6) << "the common part";
     EXPECT_NEAR(line_metrics(p.truth, p.other_drawn).symmetric(), 0, 1e-9);
 
     const LineMetrics exchanged = line_metrics(p.other_truth, p.other_drawn, {2000, 1});
@@ -225,7 +225,7 @@ TEST(LineDifferenceLaws, StretchesAddUp) {
     EXPECT_GT(length_of(segment), 5);
 }
 
-TEST(NearestSegment, IsWhatLookingAtAllFinds) {
+TEST(NearestSegment, EqualsALinearSearch) {
   std::mt19937 random(5);
   const auto number = [&](double low, double high) {
     return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);

@@ -88,11 +88,11 @@ TEST(LineUnion, VisibleLinesAreTheSetOfPointsDrawn) {
       ends.erase(found);
     }
   }
-  EXPECT_GT(coinciding, 500U) << "the cases are to have lines that coincide";
+  EXPECT_GT(coinciding, 500U) << "the cases must have coincident lines";
 }
 
 // Visible before hidden, the first layer before others, nothing twice, no point.
-TEST(LineUnion, NoStretchIsDrawnTwiceAndNoDashLiesOnALine) {
+TEST(LineUnion, NoStretchIsDrawnTwiceAndNoDashOverlapsALine) {
   Dice dice(6);
   const scene::SceneFrame frame = scene::frame_of(scene::PolyCamera{});
   std::size_t dashes = 0;
@@ -188,7 +188,7 @@ TEST(LineUnion, NoLineIsLostAroundTheEye) {
 
 // Two boxes of the same height side by side, seen from the front: their common edge is one line of two edges, and the top of both
 // is one line. By hand.
-TEST(LineUnion, EdgesThatCoincideAreNamedTogether) {
+TEST(LineUnion, CoincidentEdgesAreNamedTogether) {
   scene::PolyBuilder builder;
   builder.add_box("left", {0, 0, 0}, {4, 2, 2});
   builder.add_box("right", {4, 0, 0}, {6, 2, 2});

@@ -105,7 +105,7 @@ double plain_way(const VectorDrawing& drawing) {
   return way;
 }
 
-TEST(PenOrder, IsNearlyAsShortAsAPlainGreedyTourWithEveryTurn) {
+TEST(PenOrder, IsNearlyAsShortAsASimpleGreedyTourWithReversals) {
   for (const int count : {30, 100, 400}) {
     for (std::uint32_t seed = 1; seed <= 4; ++seed) {
       const VectorDrawing drawing = random_lines(seed, count);
@@ -116,7 +116,7 @@ TEST(PenOrder, IsNearlyAsShortAsAPlainGreedyTourWithEveryTurn) {
   }
 }
 
-TEST(PenOrder, EveryLineIsDrawnOnceHoweverMany) {
+TEST(PenOrder, EveryLineIsDrawnOnceForAnyNumber) {
   const VectorDrawing drawing = random_lines(9, 20'000);
   const VectorDrawing ordered = in_pen_order(drawing, whole_sheet, {.join = 0});
   EXPECT_EQ(segments_of(ordered), segments_of(drawing));
@@ -141,7 +141,7 @@ TEST(PenOrder, LinesThatMeetAreJoinedTheStraightestFirst) {
   EXPECT_EQ(ordered.lines[2].count, 2U);
 }
 
-TEST(PenOrder, ShortGapsAreDrawnOnlyWhenAskedAndNeverThoseOfDashes) {
+TEST(PenOrder, ShortGapsAreDrawnOnlyOnRequestAndNeverThoseOfDashes) {
   VectorDrawing drawing = sheet();
   drawing.layers.push_back({"hidden", {150, 150, 150}, 2});
   for (std::uint32_t layer = 0; layer < 2; ++layer)
@@ -154,7 +154,7 @@ TEST(PenOrder, ShortGapsAreDrawnOnlyWhenAskedAndNeverThoseOfDashes) {
   EXPECT_EQ(in_pen_order(drawing, whole_sheet, {.min_gap = 0.4}).lines.size(), 10U);
 }
 
-TEST(PenOrder, CornersThatAreNoneGoAndRoundLinesStay) {
+TEST(PenOrder, FlatCornersAreRemovedAndRoundLinesStay) {
   VectorDrawing drawing = sheet();
   add_line(drawing, {{0, 0}, {10, 10}, {20, 20}, {30, 30.0005F}, {40, 40}});
   std::vector<DrawingPoint> circle;

@@ -72,7 +72,7 @@ TEST(SpotProfile, IsTheIntegralOfAGaussian) {
   }
 }
 
-TEST(Phosphor, EnergyOfAFlashArrivesOnTheFilm) {
+TEST(Phosphor, TheEnergyOfAFlashReachesTheFilm) {
   // A shutter open for an hour takes nearly all light of both layers: 1 flash, split as the parameters say.
   for (const int pixels_per_point : {1, 2}) {
     PhosphorParameters parameters;
@@ -84,7 +84,7 @@ TEST(Phosphor, EnergyOfAFlashArrivesOnTheFilm) {
   }
 }
 
-TEST(Phosphor, LightLiesAroundItsPoint) {
+TEST(Phosphor, LightIsAroundItsPoint) {
   for (const int pixels_per_point : {1, 2}) {
     PhosphorParameters parameters;
     parameters.pixels_per_point = pixels_per_point;
@@ -116,7 +116,7 @@ TEST(Phosphor, TheOrderOfStrokesDoesNotMatter) {
   EXPECT_TRUE(photograph(strokes, 5 * millisecond, 50 * millisecond).develop() == in_order);
 }
 
-TEST(Phosphor, LightAddsUpBeforeTheFilmAnswers) {
+TEST(Phosphor, LightAddsUpBeforeTheFilmResponds) {
   NEEDS_OPTIMISED_CODE();
   const std::vector<core::Stroke> one{flash(0, 300, 300, 7), flash(1000, 301, 300, 7)};
   const std::vector<core::Stroke> two{flash(5000, 301, 301, 2), flash(9000, 300, 300, 7)};
@@ -169,7 +169,7 @@ TEST(Phosphor, HigherIntensityIsBrighter) {
   }
 }
 
-TEST(Phosphor, NothingIsSeenOfStrokesAfterTheShutterClosed) {
+TEST(Phosphor, StrokesAfterTheShutterClosedAreInvisible) {
   const auto dark = photograph({}, 0, millisecond).develop();
   const auto late =
       photograph({flash(millisecond, 5, 5, 7), flash(2 * millisecond, 6, 6, 7)}, 0, millisecond);

@@ -67,7 +67,7 @@ TEST(PixelMetricsLaws, Hold) {
     EXPECT_EQ(exchanged.extra_far, m.missing_far);
     EXPECT_GT(m.different(), 0U);
     EXPECT_EQ(pixel_metrics(a, a, edges).different(), 0U);
-    EXPECT_EQ(pixel_metrics(a, b, {}).different_inside, m.different()) << "no edges: all is interior";
+    EXPECT_EQ(pixel_metrics(a, b, {}).different_inside, m.different()) << "no edges: everything is interior";
   }
 }
 

@@ -75,7 +75,7 @@ VectorDrawing drawing_for(const Paper& paper, std::uint32_t layers) {
   return drawing;
 }
 
-TEST(Plotters, LinesAreWhereThePaperHasThem) {
+TEST(Plotters, LinesAreAtTheirPositionOnThePaper) {
   const Paper paper{120, 80, 10, 0.2};
   const VectorDrawing drawing = drawing_for(paper, 2);
   for (const bool relative : {false, true}) {
@@ -95,7 +95,7 @@ TEST(Plotters, LinesAreWhereThePaperHasThem) {
   }
 }
 
-TEST(Plotters, NothingIsBeyondTheLimits) {
+TEST(Plotters, NoPointIsBeyondTheLimits) {
   struct Sheet {
     double width, height;
     long most_x, most_y;
@@ -128,7 +128,7 @@ TEST(Plotters, NothingIsBeyondTheLimits) {
 }
 
 // Of the manuals: A4 has 11040 by 7721 units of 0.025 mm.
-TEST(Plotters, WhereAPlotterCanDraw) {
+TEST(Plotters, PlottingAreas) {
   const Plotter& plotter = *find_plotter("hp7475a");
   const auto lying = plotting_area(plotter, {297, 210, 0, 0.2});
   ASSERT_TRUE(lying);
@@ -145,7 +145,7 @@ TEST(Plotters, WhereAPlotterCanDraw) {
   EXPECT_DOUBLE_EQ((*drum)[1], 279.4);
 }
 
-TEST(Plotters, TheirOwnPaper) {
+TEST(Plotters, DefaultPaper) {
   for (const char* name : {"hp7475a", "hp7550a"}) EXPECT_EQ(find_plotter(name)->papers.front().paper, "A4");
   EXPECT_DOUBLE_EQ(find_plotter("calcomp")->papers.front().width, 279.4);
   EXPECT_DOUBLE_EQ(find_plotter("calcomp")->papers.front().height, 279.4);

@@ -72,7 +72,7 @@ TEST(RasterDifference, OneMovedPointOfAScreenfulIsFound) {
   EXPECT_DOUBLE_EQ(d.hausdorff.usual, 0) << "one of two thousand";
 }
 
-TEST(RasterDifference, OfNothing) {
+TEST(RasterDifference, OfEmptyPictures) {
   PixelGrid something(5, 4);
   something.set(0, 0, 1);
   something.set(4, 3, 1);
@@ -111,7 +111,7 @@ ByPairs by_pairs(const PixelGrid& from, const PixelGrid& to) {
   return found;
 }
 
-TEST(RasterDifferenceLaws, AsEveryPairOfPointsSays) {
+TEST(RasterDifferenceLaws, EqualASearchOverAllPairs) {
   std::mt19937 random(5);
   for (int n = 0; n < 60; ++n) {
     const int width = 1 + static_cast<int>(random() % 24);
@@ -141,7 +141,7 @@ TEST(RasterDifferenceLaws, AsEveryPairOfPointsSays) {
   }
 }
 
-TEST(RasterDifference, UsualIsExceededByOnePointInAThousand) {
+TEST(RasterDifference, TheUsualDistanceIsExceededByOnePointInAThousand) {
   // 2,000 points of the truth; the drawing lacks four, which are 1, 2, 3 and 4 away from it.
   PixelGrid truth(2000, 1);
   for (int x = 0; x < 2000; ++x) truth.set(x, 0, 1);

@@ -154,7 +154,7 @@ TEST(JoinStrokes, TurningBackKeepsTheTurningPoint) {
   EXPECT_EQ(lines[0].corners, (std::vector<LatticePoint>{{5, 5}, {7, 5}, {5, 5}}));
 }
 
-TEST(JoinStrokes, GapsAndIntensitiesPart) {
+TEST(JoinStrokes, GapsAndIntensitiesSeparateLines) {
   // Two points apart is a dark gap (scale 1); the edge of the screen is no neighbour of the other edge.
   const auto lines = join_strokes(strokes_at({{0, 5, 7}, {2, 5, 7}, {3, 5, 6}, {1023, 5, 6}, {0, 5, 6}}));
   ASSERT_EQ(lines.size(), 5U);

@@ -76,7 +76,7 @@ TEST(SvgWriter, AreasArePolygonsAndPathsOfAnyNumberOfLoops) {
           "  </g>\n</svg>\n");
 }
 
-TEST(SvgWriter, DistancesHaveNoZeroBeforeThePointAndNoNeedlessBlank) {
+TEST(SvgWriter, RelativeCoordinatesHaveNoLeadingZeroAndNoNeedlessBlank) {
   SvgWriter svg(20, 10.5, "a <b> & \"c\" \t", {.needless_zeros = false});
   svg.open_areas("surface", "0 surface", "");
   svg.begin_area({1, 2, 3}, false);
@@ -103,7 +103,7 @@ TEST(SvgWriter, DistancesHaveNoZeroBeforeThePointAndNoNeedlessBlank) {
                 "  </g>\n</svg>\n");
 }
 
-TEST(SvgWriter, PositionsHaveTheDecimalsAndZerosAskedFor) {
+TEST(SvgWriter, PositionsHaveTheRequestedDecimalsAndZeros) {
   EXPECT_EQ(points({}, 0, -1), "0.000,-0.001");
   EXPECT_EQ(points({.decimals = 4}, 2381250, 5), "238.1250,0.0005");
   EXPECT_EQ(points({.needless_zeros = false}, 1500, 100000), "1.5,100");
@@ -112,7 +112,7 @@ TEST(SvgWriter, PositionsHaveTheDecimalsAndZerosAskedFor) {
 }
 
 // Areas in great numbers are written in hundredths of a millimetre: their corners read back, from distances.
-TEST(SvgWriter, VeryManyAreasAreShortAndInTheirPlaces) {
+TEST(SvgWriter, ManyAreasAreShortAndAtTheirPositions) {
   VectorDrawing drawing;
   drawing.width = drawing.height = 255;
   constexpr std::uint32_t count = 20'001;

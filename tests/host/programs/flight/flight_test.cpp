@@ -67,7 +67,7 @@ Outcome flown(const Flight& flight, Precision precision, bool count_points = fal
   return outcome ? *outcome : Outcome{};
 }
 
-TEST(Flight, IsTheTwinsInEveryPriorityOfEveryFrame) {
+TEST(Flight, EqualsTheTwinInEveryPriorityOfEveryFrame) {
   for (const Flight& flight : all()) {
     for (const Precision precision : all_precisions) {
       const Outcome outcome = flown(flight, precision);
@@ -78,13 +78,13 @@ TEST(Flight, IsTheTwinsInEveryPriorityOfEveryFrame) {
 }
 
 // Through the scene, and nowhere in a building.
-TEST(Flight, KeepsToFreeSpace) {
+TEST(Flight, StaysInFreeSpace) {
   for (const Flight& flight : all())
     for (const scene::PolyCamera& camera : flight.path) EXPECT_FALSE(scene::eye_error(flight.scene, camera)) << flight.name;
 }
 
 // What pack() says of its error: pieces farther apart than that are in the order of their true distances.
-TEST(Flight, OrdersWhatIsFartherApartThanTheStatedError) {
+TEST(Flight, OrdersDistancesThatDifferByMoreThanTheStatedError) {
   for (const Flight& flight : all()) {
     for (const Precision precision : all_precisions) {
       const Outcome run = flown(flight, precision);
@@ -141,7 +141,7 @@ TEST(Flight, CountsWrongOrdersAgainstExactOnes) {
   }
 }
 
-TEST(Flight, CostsWhatTheModelSays) {
+TEST(Flight, CostsAsMuchAsTheModelStates) {
   for (const Flight& flight : all()) {
     for (const Precision precision : all_precisions) {
       const Outcome run = flown(flight, precision);
@@ -165,7 +165,7 @@ TEST(Flight, IsFastEnough) {
   }
 }
 
-TEST(Flight, SaysWhatDoesNotFit) {
+TEST(Flight, ReportsWhatDoesNotFit) {
   const scene::PolyScene large = scene::generate_town(60);
   const auto model = flight_model(large, {}, large.camera.eye);
   ASSERT_FALSE(model);
@@ -181,7 +181,7 @@ TEST(Flight, SaysWhatDoesNotFit) {
 }
 
 // Solids that touch, and one that is not convex: planes keep them apart, and the order is that of willis::Frames but where distances are rounded.
-TEST(Flight, KeepsApartWhatTouches) {
+TEST(Flight, SeparatesTouchingSolids) {
   std::vector<Flight> flights;
   flights.push_back(flight_through("touch-2", scene::generate_touch(2), false, tests::effort(40U, 5U)));
   flights.push_back(flight_through("roberts", scene::poly_scene_of(*scene::load_cell_scene("roberts")), false, tests::effort(40U, 5U)));

@@ -61,7 +61,7 @@ TEST(FlightGuest, TheNearestPieceHasTheHighestPriority) {
 }
 
 // Any points, eyes that jump, keys that are the same, one piece and 255.
-TEST(FlightGuest, IsItsTwinInRandomFlights) {
+TEST(FlightGuest, EqualsItsTwinInRandomFlights) {
   constexpr std::uint32_t seed = 20261124;
   Dice dice(seed);
   const int rounds = flights() * tests::effort(60, 12);
@@ -117,7 +117,7 @@ TEST(FlightGuest, TheEyesSideOfAPlaneComesFirst) {
 }
 
 // Any trees of planes: cells that no plane leads to, and planes, are allowed.
-TEST(FlightGuest, IsItsTwinWithRandomPlanes) {
+TEST(FlightGuest, EqualsItsTwinWithRandomPlanes) {
   constexpr std::uint32_t seed = 20261125;
   Dice dice(seed);
   const int rounds = flights() * tests::effort(60, 12);

@@ -142,7 +142,7 @@ TEST(Encode, HeaderHoldsTheEyeAndItsLimits) {
   EXPECT_EQ(kitchen.words[10].value, 749U);
 }
 
-TEST(Encode, ListEntriesPointAtTheWordNamingTheFarCell) {
+TEST(Encode, ListEntriesPointToTheWordNamingTheFarCell) {
   const EncodedScene house = encoded(scene::builtin_scene("house"));
   const Core core(house);
   const auto list_of = [&](std::size_t cell) { return core.vectors(house.cell_addresses[cell]).next; };
@@ -184,7 +184,7 @@ std::string refusal(const scene::CellScene& scene, std::optional<Point> eye, std
   return !result ? result.error().message() : "encoded";
 }
 
-TEST(Encode, RefusesAnEyeThatSeesThroughTheNearPlane) {
+TEST(Encode, RejectsAnEyeThatSeesThroughTheNearPlane) {
   const scene::CellScene house = scene::builtin_scene("house");
   EXPECT_EQ(
       refusal(house, Point{100, 100, 400}),
@@ -195,7 +195,7 @@ TEST(Encode, RefusesAnEyeThatSeesThroughTheNearPlane) {
   EXPECT_EQ(refusal(house, Point{0, 100, -20}), "point (0, 100, -20): is outside the outer box");
 }
 
-TEST(Encode, RefusesWhatDoesNotFitIntoCore) {
+TEST(Encode, RejectsScenesThatDoNotFitIntoCore) {
   const scene::CellScene house = scene::builtin_scene("house");  // 112 words
   EXPECT_EQ(refusal(house, {}, 017620), "encoded");
   EXPECT_EQ(refusal(house, {}, 017621), "needs 112 words from address 017621; core ends at 017777");
@@ -251,7 +251,7 @@ TEST(WriteTape, EqualsTheTapesOfTheFirmware) {
     }
     const std::string approved = tests::read_whole(path);
     EXPECT_TRUE(tape == approved) << path << ": " << tests::where_they_part(approved, tape)
-                                  << "\n  SIGHTLINE_APPROVE=1 writes the new tape, if the change is meant";
+                                  << "\n  SIGHTLINE_APPROVE=1 writes the new tape, if the change is intended";
   }
 }
 

@@ -28,7 +28,7 @@ class JonesGuest : public testing::TestWithParam<std::tuple<const char*, bool>> 
   Outcome run;
 };
 
-TEST_P(JonesGuest, EveryViewIsTheTwins) {
+TEST_P(JonesGuest, EveryViewEqualsTheTwins) {
   const TwinView expected = twin_view(program);
   ASSERT_EQ(expected.status, Status::complete);
   ASSERT_EQ(run.views.size(), 2U);
@@ -89,7 +89,7 @@ TEST_P(JonesGuest, TakesNoLongerThanItMay) {
 }
 
 // Point for point, and again and again.
-TEST_P(JonesGuest, ThePictureIsWhatTheWordsSay) {
+TEST_P(JonesGuest, ThePictureMatchesTheWords) {
   EXPECT_EQ(points_of(run.pass), drawn_points(twin_view(program).display_file));
   for (const core::Stroke& stroke : run.pass) ASSERT_EQ(stroke.intensity, 7);
   EXPECT_GT(run.refresh_period.count(), 0);
@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, JonesGuest,
                          });
 
 // Of a row of rooms the search enters only the visible ones, however many there are.
-TEST(JonesGuestCells, UnseenRoomsAreNeverTouched) {
+TEST(JonesGuestCells, InvisibleRoomsAreNeverEntered) {
   Outcome runs[2];
   for (int i = 0; i < 2; ++i) {
     runs[i] = outcome_of(assembled(i == 0 ? "corridor8" : "corridor32", true));
@@ -116,7 +116,7 @@ TEST(JonesGuestCells, UnseenRoomsAreNeverTouched) {
 }
 
 // Whatever core holds when power comes on.
-TEST(JonesGuestCore, WhatWasInCoreDoesNotMatter) {
+TEST(JonesGuestCore, TheInitialContentsOfCoreHaveNoEffect) {
   const Program program = assembled("roberts", true);
   const TwinView expected = twin_view(program);
   core::Duration times[2]{};
@@ -147,7 +147,7 @@ std::vector<ScreenSegment> pieces_of(const View& view) {
   return drawing.pieces;
 }
 
-TEST(JonesGuestStereo, EachEyeKeepsToItsHalf) {
+TEST(JonesGuestStereo, EachEyeStaysInItsHalf) {
   Order order;
   order.stereo = true;
   for (const char* scene : scene_names) {
@@ -164,7 +164,7 @@ TEST(JonesGuestStereo, EachEyeKeepsToItsHalf) {
 }
 
 // Ten units between the eyes: 51 half points at a distance of 100, a third of one at 16000.
-TEST(JonesGuestStereo, FarPointsLieEquallyInBothHalves) {
+TEST(JonesGuestStereo, FarPointsAreEqualInBothHalves) {
   const scene::CellScene scene =
       one_cell({2000, 200, 0}, {{0, 0, -100}, {4000, 400, 16000}},
                {{{2020, 210, 100}, {2020, 240, 100}}, {{3000, 0, 16000}, {3000, 400, 16000}}});

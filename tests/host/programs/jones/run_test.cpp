@@ -30,7 +30,7 @@ class JonesRun : public testing::TestWithParam<const char*> {
   Dice dice_{1};
 };
 
-TEST_P(JonesRun, AnotherEyeIsAnotherAssembly) {
+TEST_P(JonesRun, AnotherEyeGivesAnotherAssembly) {
   if (scene_.name != "house") NEEDS_OPTIMISED_CODE();
   const auto prepared = Prepared::of(scene_);
   ASSERT_TRUE(prepared);
@@ -81,7 +81,7 @@ TEST_P(JonesRun, ItsTwinKnowsItsModes) {
 INSTANTIATE_TEST_SUITE_P(Scenes, JonesRun, testing::ValuesIn(scene_names),
                          [](const auto& scene) { return std::string(scene.param); });
 
-TEST(JonesRuns, SayWhatFailed) {
+TEST(JonesRuns, ReportTheFailure) {
   const scene::CellScene house = scene::builtin_scene("house");
   Order order;
   order.views = 1;
@@ -111,7 +111,7 @@ TEST(JonesRuns, NameADifference) {
 }
 
 // At the console the switch for a stereo pair is up, of which the twin is not told.
-TEST(JonesRuns, CheckOnlyWhereItIsAskedFor) {
+TEST(JonesRuns, CheckOnlyOnRequest) {
   const scene::CellScene house = scene::builtin_scene("house");
   Order order;
   order.views = 1;

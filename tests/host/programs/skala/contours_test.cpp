@@ -32,7 +32,7 @@ TEST(ContourLevels, DivideTheRange) {
 
 // Of heights whose difference scaling would lose, and of those whose difference is beyond the greatest
 // double.
-TEST(ContourCrossing, IsOnItsEdgeHoweverSmallOrLargeTheHeights) {
+TEST(ContourCrossing, IsOnItsEdgeForAnyMagnitudeOfHeights) {
   const std::array<GridIndex, 3> triangle{{{0, 0}, {1, 0}, {0, 1}}};
   const auto inside = [](const Vertex& v) { return v.x >= 0 && v.x <= 255 && v.y >= 0 && v.y <= 255; };
   for (const auto& [low, high, level] : {std::array{-5e-324, 0.0, 0.0}, std::array{0.0, 5e-324, 5e-324},

@@ -73,7 +73,7 @@ TEST_P(SliceOrder, LaterSlicesAreFarther) {
   }
 }
 
-TEST_P(SliceOrder, TheShiftIsTheWayTheSlicesMove) {
+TEST_P(SliceOrder, TheShiftHasTheDirectionOfTheSlices) {
   const scene::HeightGrid grid = stream_test::named("flat", {6, 5});
   for (const double rotation : rotations()) {
     const Projection projection(grid, {.rotation = rotation});

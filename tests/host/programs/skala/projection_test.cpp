@@ -41,7 +41,7 @@ TEST(SineAndCosine, OfTheLibraryAndSymmetric) {
   EXPECT_EQ(sine_and_cosine(-1e-20).cosine, 1.0);
 }
 
-TEST(RasterCoordinate, RoundsHalvesUpAndForgivesTheLastBit) {
+TEST(RasterCoordinate, RoundsHalvesUpAndToleratesTheLastBit) {
   EXPECT_EQ(raster_coordinate(127.5), 128);
   EXPECT_EQ(raster_coordinate(std::nextafter(127.5, 0.0)), 128);
   EXPECT_EQ(raster_coordinate(127.4999), 127);
@@ -86,7 +86,7 @@ TEST(SkalaProjection, FollowsTheFormulas) {
   }
 }
 
-TEST(SkalaProjection, NoExtentLiesAt128) {
+TEST(SkalaProjection, ZeroExtentIsAt128) {
   const Projection flat(named("flat", {5, 4}), {.elevation = 0, .zoom = 3});
   EXPECT_EQ(flat.at(2, 2).row, 128);
   const Projection one(grid_of({{7.0}}), {.rotation = 33});

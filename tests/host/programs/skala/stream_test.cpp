@@ -124,7 +124,7 @@ TEST(SkalaShades, OfPlanes) {
 }
 
 // The slope is beyond the greatest double, or nothing divided by nothing.
-TEST(SkalaShades, OfCliffsAndOfPlacesThatCoincide) {
+TEST(SkalaShades, OfCliffsAndCoincidentPoints) {
   scene::HeightGrid grid = grid_of({{0, 1, 0}, {0, 1, 0}});
   for (const std::vector<double>& x : {std::vector<double>{-1, -1, 1}, std::vector<double>{0, 1e-320, 1},
                                        std::vector<double>{0, 1e-200, 1}}) {
@@ -134,7 +134,7 @@ TEST(SkalaShades, OfCliffsAndOfPlacesThatCoincide) {
   EXPECT_EQ(shades(grid).front(), 1) << "steeply up along x";
 }
 
-TEST(SkalaChain, CutsAtTheBorder) {
+TEST(SkalaChain, ClipsAtTheBorder) {
   const auto vertex = [](double x, double y) {
     return Vertex{x, y, raster_coordinate(x), raster_coordinate(y), 0, true};
   };
@@ -216,7 +216,7 @@ TEST(SkalaStream, ChainsAreMonotoneAndAccepted) {
   }
 }
 
-TEST(SkalaStream, HolesAndZoomsAreMonotoneToo) {
+TEST(SkalaStream, HolesAndZoomsAreMonotone) {
   scene::HeightGrid grid = named("peaks", {13, 12});
   for (std::size_t i = 0; i < grid.heights.size(); i += 7) grid.heights[i] = nan;
   for (View view : views()) {
@@ -265,7 +265,7 @@ TEST(SkalaStream, TurningTheDataAndTheEyeTogetherGivesTheSameBytes) {
 }
 
 // The same lines, less travel.
-TEST(SkalaStream, PlottersDrawThereAndBack) {
+TEST(SkalaStream, PlottersDrawInBothDirections) {
   const scene::HeightGrid grid = named("sinc", {33, 30});
   for (const Subject picture : {Subject::lines, Subject::surface, Subject::contours}) {
     const View view{.subject = picture, .rotation = 30, .silhouette = picture == Subject::contours};

@@ -74,7 +74,7 @@ TEST(JonesWindow, HalvesOfAStereoPairMeetAtTheMiddleOfTheScreen) {
   }
 }
 
-TEST(JonesSeg3, KeepsExactlyWhatIsInsideTheBound) {
+TEST(JonesSeg3, KeepsExactlyThePartInsideTheBound) {
   Dice dice(2);
   for (int i = 0; i < 20000; ++i) {
     const Axis axis{static_cast<std::uint8_t>(1 + i % 3)};

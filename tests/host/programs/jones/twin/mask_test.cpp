@@ -107,7 +107,7 @@ TEST(JonesClip2, PieceLiesInTheMaskAndOnTheLine) {
   EXPECT_GT(pieces, 2000);
 }
 
-TEST(JonesIntersect, MaskWithItselfIsItself) {
+TEST(JonesIntersect, AMaskIntersectedWithItselfIsUnchanged) {
   Dice dice(5);
   Operations operations;
   for (int i = 0; i < 5000; ++i) {
@@ -162,7 +162,7 @@ TEST(JonesIntersect, LiesInBothAndHasTheirCommonArea) {
       return polygon;
     }());
     if (both.outcome == MaskOutcome::empty) {
-      EXPECT_LT(exact, 8000) << "a sliver at most: four thousand half points long, one wide";
+      EXPECT_LT(exact, 8000) << "at most a sliver four thousand half points long and one wide";
       continue;
     }
     ++visible;
@@ -257,7 +257,7 @@ TEST(JonesMask, CountsItsSlopedEdges) {
 }
 
 // Of a square, a corner in the middle of a side and one that is drawn in are left out, wherever the ring begins.
-TEST(JonesMask, CornersThatDoNotTurnLeftAreLeftOut) {
+TEST(JonesMask, CornersThatDoNotTurnLeftAreOmitted) {
   const std::vector<ScreenPoint> square{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
   const std::vector<ScreenPoint> ring{{0, 0}, {4, 0}, {8, 0}, {7, 4}, {8, 8}, {0, 8}};
   for (std::size_t first = 0; first < ring.size(); ++first) {

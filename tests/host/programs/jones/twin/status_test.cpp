@@ -111,7 +111,7 @@ TEST(JonesTwinStatus, BadDataElement) {
 
 // An opening that is neither crossed nor drawn is not walked: only what the scan for its plane looks at
 // matters.
-TEST(JonesTwinStatus, OpeningPassedOverIsNotWalked) {
+TEST(JonesTwinStatus, ASkippedOpeningIsNotWalked) {
   const auto behind = [](std::vector<TestVector> vectors) {
     return view_of(TestCore({{}, {}}, {{0, 1, {0, 0, -5, std::move(vectors)}}})).status;
   };

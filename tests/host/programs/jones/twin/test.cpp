@@ -78,7 +78,7 @@ TEST(JonesTwinSearch, EdgeOnOpeningIsDrawnButNotEntered) {
 }
 
 // J5: windows that share only a line, or only a corner.
-TEST(JonesTwinSearch, WindowOfNoAreaIsNotEntered) {
+TEST(JonesTwinSearch, AWindowWithoutAreaIsNotEntered) {
   const auto visits = [](const TestChain& first, const TestChain& second) {
     return view_of(TestCore({{}, {}, {}}, {{0, 1, first}, {1, 2, second}})).counts.visits;
   };
