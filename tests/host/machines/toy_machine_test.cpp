@@ -1,5 +1,6 @@
-// A machine of this test, described: 16 words of 8 bits and six instructions. All that the engine does for a
-// machine works for it, so a third machine needs no more than what is here.
+// A machine described by this test: 16 words of 8 bits and six instructions. Everything that the engine offers for machines works
+// for
+// it, so another machine needs no more than this.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -12,7 +13,7 @@ namespace {
 
 using machines::OptionKind;
 
-// The high digit of a word is the instruction, the low four bits an address. Every instruction takes 1 us.
+// The high digit of a word is the instruction, the low four bits are an address. Every instruction takes 1 us.
 class Toy final : public machines::Machine {
  public:
   explicit Toy(std::string device) : device_(std::move(device)) {}

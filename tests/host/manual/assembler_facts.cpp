@@ -13,7 +13,7 @@
 namespace sightline::manual {
 namespace {
 
-// A source of one or more lines, and why it is refused. The manual shows each line as code of its own.
+// A source of one or more lines, and the reason for its error. The manual shows each line as code.
 struct Refused {
   std::string_view source;
   std::string_view why;
@@ -32,7 +32,7 @@ std::string shown(std::string_view source) {
   return text;
 }
 
-// The first message on each source; an error if the assembler has nothing to say.
+// The first message for each source; an error if the assembler accepts one.
 template <class Assemble>
 base::Result<std::string> refused(const auto& cases, Assemble assemble) {
   Table table{"source", "message", "because"};
@@ -201,7 +201,7 @@ base::Result<std::string> pdp7_pseudo_operations(const std::string& source) {
 }
 
 base::Result<std::string> i8080_directives(const std::string& source) {
-  // By the name of the enumerator, in the order of the manual.
+  // Keyed by the enumerator, in the order of the manual.
   static const std::vector<std::pair<std::string, std::string>> meanings{
       {"org", "the address of what follows"},
       {"equ", "`NAME EQU value`, for ever"},

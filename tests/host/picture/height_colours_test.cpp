@@ -1,4 +1,4 @@
-// Colours of heights: lighter with every step, so that grey prints read them.
+// Colours of heights: lighter with every step, so that a grey print stays readable.
 #include "host/picture/height_colours.hpp"
 
 #include <gtest/gtest.h>

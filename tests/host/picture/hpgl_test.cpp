@@ -1,5 +1,6 @@
-// Pen paths on their way to paper: HP-GL read back by an interpreter of its own must draw every step of the
-// paths, where the paper has them; so must the image and the SVG drawing.
+// Pen paths on paper: an independent interpreter of HP-GL must draw every step of the paths at its position on the paper; so must
+// the
+// image and the SVG drawing.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,7 +47,7 @@ struct Plotted {
   std::size_t longest_instruction = 0;
 };
 
-// IN, SP, PU and PD with absolute coordinates, as a plotter reads them; anything else fails the test.
+// Reads IN, SP, PU and PD with absolute coordinates, as a plotter does; anything else fails the test.
 Plotted plot(const std::string& text) {
   Plotted plotted;
   std::pair<long, long> pen{0, 0};

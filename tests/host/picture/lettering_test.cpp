@@ -1,4 +1,4 @@
-// Lettering: every sign is there, is told from all others and stays in its place.
+// Lettering: every character exists, differs from all others and stays in its box.
 #include "host/picture/lettering.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(Lettering, EveryCharacterIsWithinItsBox) {
   }
 }
 
-// A sign is as wide as it says: its strokes reach both sides.
+// A character has its stated width: its strokes reach both sides.
 TEST(Lettering, CharactersFillTheirWidth) {
   for (const char c : every_sign()) {
     const auto points = drawn(std::string(1, c)).points;
@@ -59,7 +59,7 @@ TEST(Lettering, DigitsHaveOneWidth) {
   for (char c = '1'; c <= '9'; ++c) EXPECT_EQ(text_width(6, std::string(1, c)), text_width(6, "0"));
 }
 
-// Strokes of the parts follow each other; those of a turned text are turned.
+// Strokes of the characters follow each other; those of a turned text are turned.
 TEST(Lettering, TextConsistsOfItsCharacters) {
   const VectorDrawing whole = drawn("Qgy 8");
   VectorDrawing parts;
@@ -75,7 +75,8 @@ TEST(Lettering, TextConsistsOfItsCharacters) {
   }
 }
 
-// Small letters without an ascender end at two thirds of a capital; g, j, p, q and y go below the line, and so do , ; _ and $.
+// Small letters without an ascender end at two thirds of a capital; g, j, p, q and y extend below the line, and so do , ; _ and
+// $.
 TEST(Lettering, HeightsOfSmallLetters) {
   for (char c = 'a'; c <= 'z'; ++c) {
     const auto points = drawn(std::string(1, c)).points;

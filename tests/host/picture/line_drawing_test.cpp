@@ -1,4 +1,4 @@
-// Line pictures as drawings: where points come to lie, what is cut off, joined lines, dashes.
+// Line pictures as drawings: positions of points, clipping, joined lines, dashes.
 #include "host/picture/line_drawing.hpp"
 
 #include <gtest/gtest.h>
@@ -58,10 +58,10 @@ TEST(LineDrawing, AFieldInDegrees) {
 }
 
 TEST(LineDrawing, LinesAreClippedToTheField) {
-  const scene::PolyScene scene = square(8);  // corners at 2, sides outside of the window altogether
+  const scene::PolyScene scene = square(8);  // corners at 2, sides completely outside the window
   EXPECT_TRUE(line_drawing(wire_frame(scene), scene, {}, field(100, 100, 90)).lines.empty());
   scene::PolyCamera camera;
-  camera.eye = {8, 0, 0};  // the right side runs through the middle from top to bottom
+  camera.eye = {8, 0, 0};  // the right side crosses the middle from top to bottom
   const VectorDrawing drawing = line_drawing(wire_frame(scene), scene, camera, field(100, 100, 90));
   ASSERT_EQ(drawing.lines.size(), 1U);
   ASSERT_EQ(drawing.points.size(), 2U);
@@ -133,7 +133,7 @@ TEST(LineDrawing, ALineThatOnlyTouchesTheBorderIsOmitted) {
   EXPECT_EQ(strokes[0].to, (std::array{1.0, 0.5})) << "the one along the border";
 }
 
-// Only lines with an end that nothing meets are left out, and lengths are those of lines, not of their parts.
+// Only lines with a free end are omitted, and the lengths are those of lines, not of their parts.
 TEST(LineDrawing, ShortLinesAreOmittedUnlessTheyCloseAGap) {
   const std::array layers{LineLayer{"silhouette", {}}, LineLayer{"crease", {}}};
   const ImageWindow window{{0, 0}, {10, 10}};
@@ -160,7 +160,7 @@ TEST(LineDrawing, ShortLinesAreOmittedUnlessTheyCloseAGap) {
   EXPECT_EQ(strokes_in(lines, layers, window, f).size(), 12U);
 }
 
-// Edges first, then hatching, then hidden lines; all but for rounding.
+// Edges first, then hatching, then hidden lines; all within rounding.
 TEST(Hatching, OmitsLinesOnEdgesAndHidesDashes) {
   const std::array layers{LineLayer{"crease", {}, {}, "crease"}, LineLayer{"hatching", {}, {}, std::string(hatching_kind)},
                           hidden_layer({}, "crease")};

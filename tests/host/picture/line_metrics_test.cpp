@@ -1,4 +1,4 @@
-// Metrics of line pictures: cases measured by hand, and the laws of line_metrics.hpp.
+// Metrics of line pictures: cases computed by hand, and the laws of line_metrics.hpp.
 #include "host/picture/line_metrics.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace sightline::picture {
 namespace {
 
-// 100 pixels to the right; seen from 20 to 60.
+// 100 pixels to the right; visible from 20 to 60.
 ReferenceLine hundred(LineId id, double y = 10) {
   return {id, {{0, y}, {100, y}}, {{0, 1}}, {{0.2, 0.6}}};
 }
@@ -48,8 +48,9 @@ TEST(LineMetrics, CountsMissingAndExtra) {
   EXPECT_NEAR(m.extra_far, 9, 0.25);
   EXPECT_NEAR(m.hausdorff.greatest, 15, 1e-9);
   EXPECT_EQ(m.pieces_different, 2U);
-  // 25 of the 100 pixels are wrong; of each wrong stretch the pixel at the end of the truth is not asked, nor
-  // the right ones beside it: 23 of 96.
+  // 25 of the 100 pixels are wrong. Neither the pixel at the end of the true part of each wrong stretch nor the correct pixel
+  // next to it is
+  // sampled: 23 of 96.
   EXPECT_NEAR(m.wrong_visibility.rate, 23.0 / 96, 0.01);
   EXPECT_LE(m.wrong_visibility.low, 23.0 / 96);
   EXPECT_GE(m.wrong_visibility.high, 23.0 / 96);
@@ -69,7 +70,7 @@ TEST(LineMetrics, DrawingTwiceAndInPartsIsNotAnError) {
 }
 
 TEST(LineMetrics, ExtraOnAnotherTrueLineIsNotFar) {
-  // Line 2 lies half a pixel above line 1, is hidden, and is drawn: extra that nobody sees.
+  // Line 2 is half a pixel above line 1, is hidden, and is drawn: extra that is invisible.
   ReferenceLine hidden = hundred(2, 10.5);
   hidden.visible.clear();
   const LineMetrics m = line_metrics({hundred(1), hidden}, {drawn(1, 20, 60), drawn(2, 20, 60, 10.5)});
@@ -196,7 +197,7 @@ TEST(LineMetricsLaws, Hold) {
     const LineMetrics again = line_metrics(mixed.truth, mixed.drawn, {2000, 1});
     EXPECT_EQ(again.missing, m.missing);
     EXPECT_EQ(again.wrong_visibility.wrong, m.wrong_visibility.wrong);
-    // The rate is what the lengths say, but for what is near an end.
+    // The rate equals the lengths, except near ends.
     EXPECT_NEAR(
         m.wrong_visibility.rate,
         m.symmetric() /

@@ -1,4 +1,4 @@
-// Edges of a scene, and images of line pictures merged and measured, against values worked out by hand.
+// Edges of a scene, and images of line pictures merged and measured, compared with values computed by hand.
 #include "host/picture/line_picture.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST(ImageRatio, OrderIsExactAtAHundredBits) {
   EXPECT_EQ(compare({1, 0}, {1, 0}), 0);
 }
 
-// Looked at along z from the origin. Vertices 0-1 and 2-3 lie on one image line, 4-5 on another.
+// Seen along z from the origin. Vertices 0-1 and 2-3 are on one image line, 4-5 on another.
 PolyScene two_lines() {
   PolyScene scene;
   scene.vertices = {{-10, 5, 10}, {10, 5, 10}, {0, 10, 20}, {40, 10, 20}, {3, -1, 1}, {3, 1, 1}};

@@ -1,4 +1,4 @@
-// The way of a pen: the same lines are drawn, in an order that is compared with a plain one.
+// Pen order: the same lines are drawn, in an order compared with that of a simple algorithm.
 #include "host/picture/pen_order.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ VectorDrawing random_lines(std::uint32_t seed, int count) {
 
 using Segment = std::pair<std::pair<float, float>, std::pair<float, float>>;
 
-// Every straight line with how often it is there, in one direction.
+// The number of times that every straight segment occurs, in either direction.
 std::map<Segment, int> segments_of(const VectorDrawing& drawing) {
   std::map<Segment, int> segments;
   for (const DrawingLine& line : drawing.lines) {
@@ -56,7 +56,7 @@ std::map<Segment, int> segments_of(const VectorDrawing& drawing) {
   return segments;
 }
 
-// Nearest next with both ends, then every turn of a part that shortens the way, until there is none: O(n^2) each.
+// Nearest next with both ends, then every reversal of a part that shortens the way, until there is none: O(n^2) each.
 double plain_way(const VectorDrawing& drawing) {
   struct Line {
     DrawingPoint from, to;
@@ -129,7 +129,7 @@ TEST(PenOrder, LinesThatMeetAreJoinedTheStraightestFirst) {
   add_line(drawing, {{100, 100}, {120, 100}});
   add_line(drawing, {{100, 100}, {100, 120}});
   add_line(drawing, {{80, 100}, {100, 100}});
-  add_line(drawing, {{100, 80}, {100, 100.0005F}});  // nearly there
+  add_line(drawing, {{100, 80}, {100, 100.0005F}});  // almost there
   add_line(drawing, {{10, 10}, {20, 10}});
   add_line(drawing, {{15, 20}, {20, 10}});
   add_line(drawing, {{15, 20}, {10, 10}});
@@ -137,7 +137,7 @@ TEST(PenOrder, LinesThatMeetAreJoinedTheStraightestFirst) {
   ASSERT_EQ(ordered.lines.size(), 3U);
   EXPECT_EQ(ordered.lines[0].count, 4U);  // the triangle, closed
   EXPECT_EQ(ordered.points[ordered.lines[0].first], ordered.points[ordered.lines[0].first + 3]);
-  EXPECT_EQ(ordered.lines[1].count, 2U);  // the arms, without the corner between them
+  EXPECT_EQ(ordered.lines[1].count, 2U);  // two arms, without the corner between them
   EXPECT_EQ(ordered.lines[2].count, 2U);
 }
 
@@ -184,7 +184,7 @@ TEST(PenOrder, DotsLayersAndEmptyDrawings) {
   EXPECT_NEAR(travel.up, std::sqrt(2) * (5 + 95 + 95), 1e-9);
 }
 
-// 100 mm at 100 mm/s with 100 mm/s2: a second and a second of ramps; 1 mm never gets that fast.
+// 100 mm at 100 mm/s with 100 mm/s2: one second and one second of ramps; 1 mm never reaches that speed.
 TEST(PenOrder, TimeIsThatOfATrapezoid) {
   VectorDrawing drawing = sheet();
   add_line(drawing, {{0, 0}, {100, 0}, {100, 1}});

@@ -1,4 +1,4 @@
-// PNG round trip, refusal of damaged files, and files that are written completely or not at all.
+// PNG round trip, errors for damaged files, and files that are written completely or not at all.
 #include "host/picture/png.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ std::string refusal(const base::Bytes& bytes) {
   return file ? "accepted" : file.error().message();
 }
 
-// ISO/IEC 15948, 11.3.5.3: pixels a metre across and up, each in four bytes, and 1 for the metre.
+// ISO/IEC 15948, 11.3.5.3: pixels per metre across and up, each in four bytes, and 1 for the metre.
 TEST(Png, StatesItsSizeOnPaper) {
   const auto sheet = encode_png(noise(4, 3, 1), {}, 150 / 25.4);
   ASSERT_TRUE(sheet);
@@ -44,7 +44,7 @@ TEST(Png, StatesItsSizeOnPaper) {
   EXPECT_EQ(std::string(plain.begin(), plain.end()).find("pHYs"), std::string::npos);
 }
 
-// A directory of its own for each test in the build tree, removed afterwards.
+// A separate directory for each test in the build tree, removed afterwards.
 class FileTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -106,8 +106,9 @@ TEST(Png, EveryTruncationIsAnError) {
 }
 
 TEST(Png, EveryDamagedBitIsAnError) {
-  // Every bit of a PNG file is under a check sum, the signature or the walk of the chunks, except the check
-  // sums of chunks libpng does not look at: the text entry's own, which is why there is none here.
+  // Every bit of a PNG file is covered by a checksum, by the signature or by the structure of the chunks, except the checksums of
+  // chunks
+  // that libpng does not read: the text entry's, which is why this file has none.
   const base::Bytes bytes = encoded(noise(9, 7, 1));
   for (std::size_t i = 0; i < bytes.size() * 8; ++i) {
     base::Bytes damaged = bytes;

@@ -1,4 +1,4 @@
-// Differences of two sets of lit points: small ones by hand, random ones against every pair of points, and the laws of
+// Differences of two sets of lit points: small ones by hand, random ones compared with a search over all pairs, and the laws of
 // raster_difference.hpp.
 #include "host/picture/raster_difference.hpp"
 
@@ -21,9 +21,9 @@ TEST(RasterDifference, OfALineAndOneShiftedAndShortened) {
   PixelGrid truth(16, 8);
   PixelGrid drawn(16, 8);
   for (int x = 2; x <= 11; ++x) truth.set(x, 3, 1);
-  for (int x = 2; x <= 7; ++x) drawn.set(x, 3, 7);  // lit is lit: 8, 9, 10, 11 are missing
+  for (int x = 2; x <= 7; ++x) drawn.set(x, 3, 7);  // any value is lit: 8, 9, 10, 11 are missing
   drawn.set(5, 4, 1);                               // above a point of the line
-  drawn.set(1, 4, 1);                               // diagonally before its beginning
+  drawn.set(1, 4, 1);                               // diagonally in front of its beginning
   drawn.set(4, 6, 1);                               // 3 above it
   const RasterDifference d = raster_difference(truth, drawn);
   EXPECT_EQ(d.lit_in_truth, 10U);
@@ -87,7 +87,7 @@ TEST(RasterDifference, OfEmptyPictures) {
   EXPECT_EQ(raster_difference(nothing, nothing).hausdorff.greatest, 0);
 }
 
-// Every pair of points.
+// A search over all pairs of points.
 struct ByPairs {
   PointsApart apart;
   std::vector<double> distances;  // ascending
@@ -142,7 +142,7 @@ TEST(RasterDifferenceLaws, EqualASearchOverAllPairs) {
 }
 
 TEST(RasterDifference, TheUsualDistanceIsExceededByOnePointInAThousand) {
-  // 2,000 points of the truth; the drawing lacks four, which are 1, 2, 3 and 4 away from it.
+  // 2,000 points of the reference; the drawing lacks four, which are 1, 2, 3 and 4 away from it.
   PixelGrid truth(2000, 1);
   for (int x = 0; x < 2000; ++x) truth.set(x, 0, 1);
   PixelGrid drawn = truth;

@@ -1,4 +1,4 @@
-// The one writer of SVG: its output is compared with lines written by hand.
+// The writer of all SVG: its output is compared with lines written by hand.
 #include "host/picture/svg.hpp"
 
 #include <gtest/gtest.h>
@@ -111,7 +111,7 @@ TEST(SvgWriter, PositionsHaveTheRequestedDecimalsAndZeros) {
   EXPECT_EQ(points({}, 9223372036854775, 1), "9223372036854.775,0.001");
 }
 
-// Areas in great numbers are written in hundredths of a millimetre: their corners read back, from distances.
+// Large numbers of areas are written in hundredths of a millimetre: their corners are read back from relative coordinates.
 TEST(SvgWriter, ManyAreasAreShortAndAtTheirPositions) {
   VectorDrawing drawing;
   drawing.width = drawing.height = 255;

@@ -1,5 +1,6 @@
-// The builds of Jones's program with other fraction bits, and with quotients cut off: the machine against the
-// native twin, bit for bit, with the EAE and without, on every scene.
+// The builds of Jones's program with other fraction bits, and with truncated quotients: the machine compared with the native
+// twin, bit for
+// bit, with and without the EAE, on every scene.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -108,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, JonesBuilds,
                                   (std::get<3>(p.param) ? "_Truncated" : "");
                          });
 
-// By hand: at scale 512 a point at x/z = 2/3 lies 341 1/3 points from the centre, one at 1/3 170 2/3.
+// By hand: at scale 512 a point at x/z = 2/3 is 341 1/3 points from the centre, one at 1/3 is 170 2/3.
 TEST(JonesFractionBits, CoordinatesAreTruncatedToTheirFraction) {
   Operations operations;
   const auto x_of = [&](int fraction_bits, bool truncate, std::int32_t x) {

@@ -1,5 +1,4 @@
-// Words and source tapes of scenes: sizes, formats read back by a decoder of the test's own, and the tapes on
-// file.
+// Words and source tapes of scenes: sizes, formats read back by an independent decoder, and the tapes in files.
 #include "host/programs/jones/encode.hpp"
 
 #include <gtest/gtest.h>
@@ -202,7 +201,7 @@ TEST(Encode, RejectsScenesThatDoNotFitIntoCore) {
   EXPECT_EQ(refusal(house, {}, 0777777), "needs at least 96 words from address 777777; core ends at 017777");
 }
 
-// A source tape as an assembler without any cleverness reads it: tags, octal numbers, +, / comments.
+// Reads a source tape as a minimal assembler does: tags, octal numbers, +, / comments.
 std::vector<std::uint32_t> assemble(const std::string& tape, std::uint32_t base) {
   std::map<std::string, std::uint32_t> symbols;
   std::vector<std::uint32_t> words;

@@ -1,5 +1,5 @@
-// Jones's program on the emulated PDP-7 with its display: the default view of every scene, what it costs and
-// what is seen of it. Switches, statuses and lines added at once: tests/firmware/jones_control_test.cpp.
+// Jones's program on the emulated PDP-7 with its display: the default view of every scene, its cost and its picture.
+// tests/firmware/jones_control_test.cpp tests switches, statuses and lines added at once.
 #include "host/programs/jones/jones.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST_P(JonesGuest, EveryViewEqualsTheTwins) {
     EXPECT_TRUE(same_words(view.display_file, expected.display_file));
     EXPECT_EQ(view.visits, expected.counts.visits);
     EXPECT_EQ(view.openings_tested, expected.counts.openings_tested);
-    // The machine passes over lines of openings whose box lies beside the mask.
+    // The machine skips lines of openings whose box does not meet the mask.
     EXPECT_LE(view.lines_clipped, expected.counts.lines_clipped);
     EXPECT_GE(view.lines_clipped, expected.counts.pieces);
     EXPECT_EQ(view.pieces, expected.counts.pieces);
@@ -45,7 +45,7 @@ TEST_P(JonesGuest, EveryViewEqualsTheTwins) {
   }
 }
 
-// Without a display another watch counts. What a display adds is its interrupts.
+// Without a display another watch counts. A display only adds its interrupts.
 TEST_P(JonesGuest, AViewWithoutADisplayIsCountedAlike) {
   for (const bool immediate : {false, true}) {
     Order order;
@@ -73,7 +73,7 @@ TEST_P(JonesGuest, AViewWithoutADisplayIsCountedAlike) {
   }
 }
 
-// "A few seconds", and less with good code: view 2, the picture before it on the screen.
+// "A few seconds", and less with efficient code: view 2, while the display shows the previous picture.
 TEST_P(JonesGuest, TakesNoLongerThanItMay) {
   ASSERT_EQ(run.views.size(), 2U);
   const auto seconds = [](core::Duration time) { return core::in_seconds(time); };
@@ -88,7 +88,7 @@ TEST_P(JonesGuest, TakesNoLongerThanItMay) {
   EXPECT_GT(run.views[1].stolen_cycles, ticks(run.views[1]));
 }
 
-// Point for point, and again and again.
+// Point for point, repeatedly.
 TEST_P(JonesGuest, ThePictureMatchesTheWords) {
   EXPECT_EQ(points_of(run.pass), drawn_points(twin_view(program).display_file));
   for (const core::Stroke& stroke : run.pass) ASSERT_EQ(stroke.intensity, 7);
@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, JonesGuest,
                                   (std::get<1>(p.param) ? "_WithEae" : "_WithoutEae");
                          });
 
-// Of a row of rooms the search enters only the visible ones, however many there are.
+// In a row of rooms the search enters only the visible ones, for any number of rooms.
 TEST(JonesGuestCells, InvisibleRoomsAreNeverEntered) {
   Outcome runs[2];
   for (int i = 0; i < 2; ++i) {
@@ -115,7 +115,7 @@ TEST(JonesGuestCells, InvisibleRoomsAreNeverEntered) {
   EXPECT_EQ(runs[0].views[0].display_file, runs[1].views[0].display_file);
 }
 
-// Whatever core holds when power comes on.
+// For any contents of core at power-on.
 TEST(JonesGuestCore, TheInitialContentsOfCoreHaveNoEffect) {
   const Program program = assembled("roberts", true);
   const TwinView expected = twin_view(program);
@@ -163,7 +163,7 @@ TEST(JonesGuestStereo, EachEyeStaysInItsHalf) {
   }
 }
 
-// Ten units between the eyes: 51 half points at a distance of 100, a third of one at 16000.
+// Ten units between the eyes: 51 half points at a distance of 100, a third of a half point at 16000.
 TEST(JonesGuestStereo, FarPointsAreEqualInBothHalves) {
   const scene::CellScene scene =
       one_cell({2000, 200, 0}, {{0, 0, -100}, {4000, 400, 16000}},

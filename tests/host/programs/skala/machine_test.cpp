@@ -1,5 +1,6 @@
-// Skala's program on its machine: receipt over both links, several blocks, every status, what is measured,
-// and the plotters' movements against the twin's.
+// Skala's program on its machine: receipt over both links, several blocks, every status, the measurements, and the plotters'
+// movements
+// compared with the twin's.
 #include "host/programs/skala/machine.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +48,7 @@ TEST(SkalaGuest, DrawingTimeExcludesTheLink) {
   const auto fast = run_machine(resident_program(), bytes);
   const auto slow = run_machine(resident_program(), bytes, serial);
   EXPECT_EQ(fast.raster, slow.raster);
-  // 10 bits a byte at 9600 baud.
+  // 10 bits per byte at 9600 baud.
   EXPECT_GE(slow.total.count() - slow.drawing.count(), static_cast<std::int64_t>(bytes.size()) * 3125 - 3125);
   EXPECT_LT(fast.total.count() - fast.drawing.count(),
             static_cast<std::int64_t>(bytes.size()) * 400 + 20'000);
@@ -91,7 +92,7 @@ TEST(SkalaGuest, PicturesOfSeveralBlocks) {
   }
 }
 
-// A block ends with the first command that leaves less than 800 bytes: here exactly 800 are left, or 799.
+// A block ends with the first command that leaves less than 800 bytes: here exactly 800 remain, or 799.
 TEST(SkalaGuest, TheBufferIsFullAtTheSpecifiedSize) {
   for (const int filler : {0, 1}) {
     SkalaBytes bytes = picture().move(3, 4).draw(9, 4);
@@ -166,7 +167,7 @@ TEST(SkalaGuest, PlottersMoveLikeTheTwin) {
       EXPECT_EQ(work.steps_pen_down, twin.counts.steps_pen_down);
       EXPECT_EQ(work.steps_pen_up, twin.counts.steps_pen_up);
       EXPECT_GT(work.pen_lifts, 0U);
-      // A mark where the pen comes down and one a step: no movement is lost between program and paper.
+      // A mark where the pen comes down and one per step: no movement is lost between program and paper.
       EXPECT_EQ(guest.strokes.size(), work.pen_lifts + work.steps_pen_down);
       // The plotter is the slower one by far.
       const double plotter = core::in_seconds(work.time);
@@ -177,7 +178,7 @@ TEST(SkalaGuest, PlottersMoveLikeTheTwin) {
   }
 }
 
-// The whole of an order: what is counted, the run without the test of visibility, and the same with the twin beside it.
+// A complete order: its counts, the run without the visibility test, and the same together with the twin.
 TEST(SkalaRun, AnOrderIsRunAndChecked) {
   for (const Subject subject : skala_pictures) {
     for (const Device device : {Device::ef9365, Device::calcomp}) {
