@@ -21,7 +21,7 @@ TEST(ReportClock, EveryRoundDoesEveryJobOnce) {
   std::string done;
   const std::vector<std::function<void()>> jobs{[&] { done += 'a'; }, [&] { done += 'b'; }};
   const auto times = median_nanoseconds(jobs, 3);
-  EXPECT_EQ(done, "abababab") << "three rounds, and one that is not counted";
+  EXPECT_EQ(done, "abababab") << "three rounds after an uncounted one";
   ASSERT_EQ(times.size(), 2U);
   EXPECT_GE(times[0], 0);
 }
@@ -70,7 +70,7 @@ TEST(SurfaceErrors, OneUnitIsFourPixels) {
   const auto above = fine.error_of(line(10, 21, 200, 21), 256);
   EXPECT_NEAR(above.hausdorff, 4, 1e-9);
   EXPECT_NEAR(above.mismatch, 100 * 2 * 191.0 / 65536, 1e-9);
-  EXPECT_EQ(above.far, 0) << "each dot has one of the other picture beside it";
+  EXPECT_EQ(above.far, 0) << "each dot has one of the other picture next to it";
   const auto shorter = fine.error_of(line(10, 20, 180, 20), 256);
   EXPECT_NEAR(shorter.hausdorff, 80, 0.25);
   EXPECT_NEAR(shorter.far, 100 * 19.0 / 65536, 1e-9);
@@ -115,7 +115,7 @@ TEST_F(JonesAccuracy, TheStudyOfArithmeticMeasuresTheSame) {
   }
 }
 
-TEST_F(JonesAccuracy, DoublePrecisionHasNoErrorThatCanBeTold) {
+TEST_F(JonesAccuracy, DoublePrecisionHasNoMeasurableError) {
   const auto error = measure_twin(*house, {compare::jones_precision::NumberKind::double_float});
   EXPECT_LT(error.symmetric_per_cent(), 1e-9);
   EXPECT_LT(error.hausdorff, 1e-9);
@@ -123,7 +123,7 @@ TEST_F(JonesAccuracy, DoublePrecisionHasNoErrorThatCanBeTold) {
   EXPECT_GT(error.wrong_visibility.points, 10'000U);
 }
 
-TEST_F(JonesAccuracy, TheMachineErrsAsItsTwinAndIsFasterWithTheEae) {
+TEST_F(JonesAccuracy, TheMachineHasItsTwinsErrorAndIsFasterWithTheEae) {
   const MachineBuild build = measure_build(*house, fixed(1));
   const PictureError twin = measure_twin(*house, fixed(1));
   EXPECT_DOUBLE_EQ(build.clipped.symmetric_per_cent(), twin.symmetric_per_cent());
@@ -133,7 +133,7 @@ TEST_F(JonesAccuracy, TheMachineErrsAsItsTwinAndIsFasterWithTheEae) {
   EXPECT_LT(build.eae_s, build.plain_s);
 }
 
-TEST_F(JonesAccuracy, AViewThatOverflowsIsIncompleteAndCountsAsItIs) {
+TEST_F(JonesAccuracy, AViewThatOverflowsIsIncompleteAndCounts) {
   const auto error = measure_twin(*house, fixed(4, false, 12));
   EXPECT_EQ(error.incomplete, 6U);
   EXPECT_GT(error.symmetric_per_cent(), 10);

@@ -31,12 +31,12 @@ TEST(Comparison, WallsAreCountedByHand) {
   EXPECT_EQ(scene.openness(), 1.25);
 }
 
-TEST(Comparison, ACrossingIsWhereTheFirstIsNoLongerLess) {
+TEST(Comparison, ACrossingIsWhereTheFirstIsNoLongerSmaller) {
   const Crossing crossing = crossing_of({{1, 10, 20}, {2, 15, 20}, {3, 25, 20}, {4, 10, 20}});
   EXPECT_EQ(crossing.last, 2);
   EXPECT_EQ(crossing.first, 3);
-  EXPECT_FALSE(crossing_of({{1, 20, 20}, {2, 10, 20}}).last) << "never less from the beginning";
-  EXPECT_FALSE(crossing_of({{1, 10, 20}, {2, 10, 20}}).first) << "less to the end";
+  EXPECT_FALSE(crossing_of({{1, 20, 20}, {2, 10, 20}}).last) << "never smaller";
+  EXPECT_FALSE(crossing_of({{1, 10, 20}, {2, 10, 20}}).first) << "smaller to the end";
 }
 
 }  // namespace

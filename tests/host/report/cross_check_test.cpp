@@ -31,7 +31,7 @@ Cell verdict_of(std::string_view scene, std::string_view pair) {
   return std::string("no such pair");
 }
 
-TEST(CrossCheck, SaysOfEveryPairWhatItDid) {
+TEST(CrossCheck, ReportsTheResultOfEveryPair) {
   const std::size_t all = compare::participants().size();
   EXPECT_EQ(two_scenes().cells.size(), 2 * (all * (all - 1) / 2));
   EXPECT_EQ(verdict_of("C5", "exact and oracle"), Cell(Verdict{true, "pieces"}));

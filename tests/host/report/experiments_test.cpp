@@ -69,7 +69,7 @@ TEST(Experiments, TheLayoutOfFigure6IsTheProgramsOwn) {
   for (const JonesElements& row : jones().elements) EXPECT_EQ(row.opening_words, row.opening_words_counted) << row.scene;
 }
 
-TEST(Experiments, NoSceneNeedsMoreThanThereIs) {
+TEST(Experiments, NoSceneExceedsTheCapacity) {
   for (const JonesView& view : jones().views) {
     EXPECT_LE(view.used_words, 8192U);
     EXPECT_GE(view.used_words, view.program_words + view.scene_words);
@@ -89,7 +89,7 @@ TEST(Experiments, NoSceneNeedsMoreThanThereIs) {
 }
 
 // "Cells to which access is not gained in this way are never even considered."
-TEST(Experiments, UnseenRoomsCostTheMachineNothing) {
+TEST(Experiments, InvisibleRoomsCostTheMachineNothing) {
   const auto& corridors = jones().corridors;
   ASSERT_EQ(corridors.size(), 4U);
   for (const std::size_t row : {0U, 2U}) {
@@ -104,7 +104,7 @@ TEST(Experiments, UnseenRoomsCostTheMachineNothing) {
   }
 }
 
-TEST(Experiments, ABuildingBesideTheHouseChangesNothingButTheNumberOfCells) {
+TEST(Experiments, ABuildingNextToTheHouseOnlyChangesTheNumberOfCells) {
   const auto& house = results().of<JonesUnseen>().house;
   ASSERT_EQ(house.size(), 4U);
   std::size_t cells = 0;
@@ -163,7 +163,7 @@ TEST(ReportPapers, OnlyTheRowGridDisagreesWithItself) {
 
 // Without the 90-degree rule nothing is wrong where no pair of surfaces is left over; with it, something is. Between the
 // first cut and the last the error may rise, too: a cut makes pairs that were none before.
-TEST(Experiments, WillisCutsUntilNothingIsLeftOverAndThenNothingIsWrong) {
+TEST(Experiments, WillisWithoutResidualPairsHasNoError) {
   const WillisOrder& willis = results().of<WillisOrder>();
   ASSERT_EQ(willis.models.size(), 16U * 9);
   std::uint64_t wrong_by_rule = 0;
@@ -173,7 +173,7 @@ TEST(Experiments, WillisCutsUntilNothingIsLeftOverAndThenNothingIsWrong) {
       EXPECT_GE(model.pieces, willis.models[row - 1].pieces) << row;
     }
     if (row % 9 == 8) {
-      EXPECT_EQ(model.left_over, 0U) << row << ": else nothing was shown";
+      EXPECT_EQ(model.left_over, 0U) << row << ": otherwise the test is empty";
     }
     if (model.left_over != 0) continue;
     if (model.rule90) {
@@ -246,7 +246,7 @@ TEST(ReportPapers, HaveEveryNumber) {
     EXPECT_NE(said.find(words), std::string::npos) << words;
 }
 
-TEST(ReportRun, StatesNothingThatDoesNotHold) {
+TEST(ReportRun, StatesNoFailedClaim) {
   const auto report = report_of({}, results(), quiet());
   ASSERT_TRUE(report) << report.error().message();
   const std::string page = html_page(*report);
@@ -314,7 +314,7 @@ TEST(Experiments, HardCasesHavePictures) {
     }
     if (!row.correct && count(row.findings, [](const CaseFinding& finding) { return finding.right == true; }) > 0) ++without;
   }
-  EXPECT_LE(without, 12U) << "files that must be refused";
+  EXPECT_LE(without, 12U) << "files that must be rejected";
 }
 
 TEST(Comparison, Has24ScenesOf100Views) {
@@ -336,18 +336,18 @@ TEST(Comparison, Has24ScenesOf100Views) {
   EXPECT_EQ(kinds["polyhedra"], 9U);
 }
 
-TEST(Comparison, ExactMethodsAreExactAndProgramsAreTheirTwins) {
+TEST(Comparison, ExactMethodsAreExactAndProgramsEqualTheirTwins) {
   for (const compare::AnswerRow& row : results().of<Comparison>().rows) {
     EXPECT_EQ(row.defect, "") << row.method << ", " << row.scene;
     if (row.exact) {
       EXPECT_EQ(row.right, row.views) << row.method << ", " << row.scene;
     }
-    EXPECT_FALSE(row.host_seconds) << "not asked for";
+    EXPECT_FALSE(row.host_seconds) << "not requested";
   }
 }
 
 // More doors in the same walls, and every cell of a view is seen at least once.
-TEST(Comparison, RoomsAreAscendingByOpenness) {
+TEST(Comparison, RoomsAscendByOpenness) {
   double before = 0;
   for (const ComparisonScene& room : results().of<Comparison>().rooms()) {
     EXPECT_EQ(room.walls, 24U);
@@ -365,7 +365,7 @@ TEST(Opening, HasEveryMethod) {
   for (const compare::AnswerRow& row : answer.rows) {
     methods.insert(row.method);
     EXPECT_EQ(row.views, 1U) << row.method << ", " << row.scene;
-    EXPECT_FALSE(row.host_seconds) << "not asked for";
+    EXPECT_FALSE(row.host_seconds) << "not requested";
     const bool on_machine = row.method.find("-pdp7") != std::string::npos || row.method.find("-8080") != std::string::npos;
     EXPECT_EQ(row.emulated_seconds.has_value(), on_machine) << row.method << ", " << row.scene;
   }

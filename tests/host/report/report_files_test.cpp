@@ -60,7 +60,7 @@ TEST_F(ReportFiles, AFileInTheWayIsAnErrorThatNamesIt) {
   EXPECT_EQ(found(), (std::set<std::string>{"taken"}));
 }
 
-TEST_F(ReportFiles, NothingIsLeftWhenOneCannotBeWritten) {
+TEST_F(ReportFiles, NothingRemainsIfOneCannotBeWritten) {
   // A directory where the page should be, and one where a table should be.
   files::create_directories(folder_ / "a" / "index.html");
   files::create_directories(folder_ / "b" / "tables" / "sample.json");
@@ -83,7 +83,7 @@ TEST_F(ReportFiles, AnOlderReportIsReplaced) {
   EXPECT_EQ(text_of(folder_ / "index.html"), html_page(other));
 }
 
-TEST_F(ReportFiles, WhatAPartGivesIsHeldAgainstTheRules) {
+TEST_F(ReportFiles, TheOutputOfAPartIsChecked) {
   const auto refused = [&](auto&& change) {
     Report report = sample_report();
     change(report.sections[0]);

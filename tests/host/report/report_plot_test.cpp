@@ -29,7 +29,7 @@ TEST(ReportPlot, PutsZeroADecadeBelowTheLeastError) {
   EXPECT_NE(script.find("set xlabel 'error [px]'"), std::string::npos);
 }
 
-TEST(ReportPlot, LeavesOutWhatALogarithmicAxisCannotShow) {
+TEST(ReportPlot, OmitsPointsThatALogarithmicAxisCannotShow) {
   const std::string script = gnuplot_script(sample_plot());
   EXPECT_NE(script.find("$curve1 << END_OF_CURVE\nEND_OF_CURVE\n"), std::string::npos) << script;
   EXPECT_EQ(script.find("plot $curve1"), std::string::npos);
@@ -60,7 +60,7 @@ TEST(ReportPlot, CurvesDifferWithoutColour) {
   EXPECT_EQ(marks_of_curve(gnuplot_script(plot), 1).find("dt"), std::string::npos) << "points have no dashes";
 }
 
-TEST(ReportPlot, LongNamesLeaveThePlotItsRoom) {
+TEST(ReportPlot, LongNamesLeaveRoomForThePlot) {
   Plot plot = sample_plot();
   EXPECT_NE(gnuplot_script(plot).find("set key outside right"), std::string::npos);
   plot.curves[0].name = "a town of turned houses, seen in plan";
@@ -91,7 +91,7 @@ TEST(ReportPlot, WithoutAPointIsAnError) {
   EXPECT_NE(drawn.error().message().find("plot: gnuplot drew nothing"), std::string::npos) << drawn.error().message();
 }
 
-TEST(ReportPlot, AMissingGnuplotIsSaid) {
+TEST(ReportPlot, AMissingGnuplotIsReported) {
   const char* const path = std::getenv("PATH");
   const std::string kept = path == nullptr ? "" : path;
   ASSERT_EQ(setenv("PATH", "/nonexistent", 1), 0);

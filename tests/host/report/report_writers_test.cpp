@@ -58,7 +58,7 @@ TEST(ReportJson, CarriesEveryCellByItsKey) {
   EXPECT_TRUE(document["rows"][2]["view_s"].is_null());
 }
 
-TEST(ReportJson, ShowsWhatIsNoUtf8AsFarAsItCanBe) {
+TEST(ReportJson, ShowsInvalidUtf8AsFarAsPossible) {
   Table table = sample_table();
   table.rows[0][0] = std::string("\xff");
   EXPECT_EQ(nlohmann::json::parse(json_text(table))["rows"][0]["name"], "\uFFFD");
@@ -76,7 +76,7 @@ TEST(ReportCells, AreShownForPeople) {
   EXPECT_EQ(shown_text(Cell{}), "\u2013");
 }
 
-TEST(ReportPage, EscapesEverythingThatIsSaid) {
+TEST(ReportPage, EscapesAllTexts) {
   EXPECT_EQ(html_escaped("<a href=\"x\">&'"), "&lt;a href=&quot;x&quot;&gt;&amp;&#39;");
   EXPECT_EQ(html_escaped("caf\u00e9 \u2013 \U0001F600"), "caf\u00e9 \u2013 \U0001F600");
   // A lone byte, an overlong slash, a surrogate, a cut character, a control.
@@ -104,7 +104,7 @@ TEST(ReportPage, HoldsPicturesAsDataUris) {
   EXPECT_EQ(data_uri("x/y", {0xFB, 0xFF, 0xFE}), "data:x/y;base64,+//+");
 }
 
-TEST(ReportPage, NeedsNothingElseAndLeadsToItsParts) {
+TEST(ReportPage, IsSelfContainedAndLinksToItsParts) {
   const std::string page = html_page(sample_report());
   EXPECT_EQ(page.find("http"), std::string::npos);
   EXPECT_EQ(page.find("<script"), std::string::npos);
@@ -124,7 +124,7 @@ TEST(ReportPage, IsTheSameTwice) {
   EXPECT_EQ(html_page(sample_report()), html_page(sample_report()));
 }
 
-TEST(ReportPage, FoldsWhatIsFolded) {
+TEST(ReportPage, FoldsSections) {
   Report report = sample_report();
   std::get<Table>(report.sections[0].blocks[2]).folded = true;
   const std::string page = html_page(report);
@@ -132,7 +132,7 @@ TEST(ReportPage, FoldsWhatIsFolded) {
   EXPECT_EQ(html_page(sample_report()).find("<details><summary><h4"), std::string::npos);
 }
 
-TEST(ReportPage, KeepsHeadingsAndRowNamesInSight) {
+TEST(ReportPage, KeepsHeadingsAndRowNamesVisible) {
   const std::string page = html_page(sample_report());
   EXPECT_NE(page.find("thead th { position: sticky; top: 0"), std::string::npos);
   EXPECT_NE(page.find("tbody th { position: sticky; left: 0"), std::string::npos);
@@ -141,7 +141,7 @@ TEST(ReportPage, KeepsHeadingsAndRowNamesInSight) {
 }
 
 // Cards stand in the page without a filter's choice; a choice hides those of other tables, by style alone.
-TEST(ReportPage, ShowsRowsAsCardsThatCanBeChosen) {
+TEST(ReportPage, ShowsRowsAsCardsWithFilters) {
   const std::string page = html_page(sample_report());
   EXPECT_NE(page.find("<article class=\"card right\">\n<h4>A</h4>"), std::string::npos);
   EXPECT_NE(page.find("<article class=\"card wrong\">\n<h4>B</h4>"), std::string::npos);
@@ -158,7 +158,7 @@ TEST(ReportPage, ShowsRowsAsCardsThatCanBeChosen) {
   EXPECT_EQ(html_page(other).find("<form"), std::string::npos);
 }
 
-TEST(ReportPage, SaysWhatDoesNotHold) {
+TEST(ReportPage, ReportsFailedClaims) {
   Report report = sample_report();
   std::get<Table>(report.sections[0].blocks[2]).notes = {Said("It is fast.", {"\"It is small.\" needs x < 1; here x is 2"})};
   const std::string page = html_page(report);

@@ -40,7 +40,7 @@ void expect_refused(const Bytes& stream, Status status, const std::string& name,
   EXPECT_TRUE(picture.machine.commands.empty()) << name;
 }
 
-TEST(StripesDamage, TheStreamsAreRight) {
+TEST(StripesDamage, TheStreamsAreCorrect) {
   for (const Output output : outputs)
     for (const Computer stripes : both)
       for (const Computer priority : both) {
@@ -209,7 +209,7 @@ std::string message_of(const ProjectedScene& scene, const StreamOptions& options
 }
 
 // What does not fit is said before anything is sent: which part, and by how much.
-TEST(StripesDamage, WhatDoesNotFitIsSaid) {
+TEST(StripesDamage, WhatDoesNotFitIsReported) {
   ProjectedScene many;
   many.faces.resize(67, two_faces().faces[0]);
   EXPECT_EQ(message_of(many, {}), "faces: 67 faces are turned to the eye, 3 too many, expected at most 64 for the 8080");

@@ -41,7 +41,7 @@ void expect_twins(const scene::PolyScene& scene, const View& view, const std::st
   }
 }
 
-TEST(StripesGuest, IsItsTwinOnCommonScenes) {
+TEST(StripesGuest, EqualsItsTwinOnCommonScenes) {
   const auto names = compare::common_scene_names();
   for (std::size_t n = 0; n < names.size(); n += tests::effort(std::size_t{1}, std::size_t{2})) {
     const std::string_view name = names[n];
@@ -61,14 +61,14 @@ TEST(StripesGuest, IsItsTwinOnCommonScenes) {
   }
 }
 
-TEST(StripesGuest, IsItsTwinOnBuiltInScenes) {
+TEST(StripesGuest, EqualsItsTwinOnBuiltInScenes) {
   for (const char* name : {"house", "roberts", "street4", "corridor8"}) {
     const scene::PolyScene scene = scene_named(name);
     expect_twins(scene, whole_view(scene), name, true);
   }
 }
 
-TEST(StripesGuest, IsItsTwinOnGeneratedScenes) {
+TEST(StripesGuest, EqualsItsTwinOnGeneratedScenes) {
   const auto names = scene::generated_set();
   const std::size_t stride = tests::effort(std::size_t{5}, std::size_t{50});
   for (std::size_t k = 0; k < names.size(); k += stride) {
@@ -110,7 +110,7 @@ ProjectedScene random_faces(Dice& dice) {
   return scene;
 }
 
-TEST(StripesGuest, IsItsTwinOnRandomFaces) {
+TEST(StripesGuest, EqualsItsTwinOnRandomFaces) {
   constexpr std::uint32_t seed = 20261124;
   Dice dice(seed);
   const int scenes = tests::effort(96, 24);

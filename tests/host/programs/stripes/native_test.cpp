@@ -47,7 +47,7 @@ void expect_native(const scene::PolyScene& scene, const View& view, const std::s
   }
 }
 
-TEST(StripesNative, CommonScenesAreTheNativeOnes) {
+TEST(StripesNative, CommonScenesEqualTheNativeOnes) {
   for (const std::string_view name : {"C1", "C2", "C3", "C4", "C5", "C6", "C7", "C8", "C9"}) {
     const compare::CommonScene scene = compare::common_scene(name);
     const std::size_t views = tests::effort(scene.views.size(), std::size_t{1});
@@ -63,7 +63,7 @@ TEST(StripesNative, CommonScenesAreTheNativeOnes) {
   }
 }
 
-TEST(StripesNative, GeneratedScenesAreTheNativeOnes) {
+TEST(StripesNative, GeneratedScenesEqualTheNativeOnes) {
   const auto names = scene::generated_set();
   for (std::size_t k = 0; k < names.size(); k += tests::effort(std::size_t{7}, std::size_t{70})) {
     const auto scene = *scene::generate_scene(names[k].family, names[k].size, names[k].seed);

@@ -43,18 +43,18 @@ void expect_twins(const std::string& name, Memory memory, bool tilted) {
   }
 }
 
-TEST(TurnGuest, IsItsTwinOverWholeTurns) {
+TEST(TurnGuest, EqualsItsTwinOverWholeTurns) {
   for (const std::string& name : {cube, block, crossed, lshape, star, std::string("roberts"), std::string("boxes-8")})
     expect_twins(name, Memory::words_8k, true);
 }
 
-TEST(TurnGuest, IsItsTwinIn32K) {
+TEST(TurnGuest, EqualsItsTwinIn32K) {
   expect_twins(block, Memory::words_32k, true);
   expect_twins(grid, Memory::words_32k, false);
 }
 
 // Random starts, speeds and switches: the first step goes anywhere.
-TEST(TurnGuest, IsItsTwinWhateverTheSwitchesSay) {
+TEST(TurnGuest, EqualsItsTwinForAnySwitches) {
   const unsigned sequences = turns() > 1 ? 100 * turns() : tests::effort(24U, 5U);
   constexpr std::uint32_t seed = 20261124;
   Dice dice(seed);
@@ -79,7 +79,7 @@ TEST(TurnGuest, IsItsTwinWhateverTheSwitchesSay) {
   }
 }
 
-TEST(TurnGuest, StopsWhenTheSpeedIsNothing) {
+TEST(TurnGuest, StopsWhenTheSpeedIsZero) {
   const Tape& tape = turned(cube).tape;
   Machine machine(assemble_program(true, tape.memory), tape);
   Picture picture;
@@ -119,7 +119,7 @@ TEST(TurnGuest, ReadsItsTape) {
   }
 }
 
-TEST(TurnGuest, RefusesADamagedTape) {
+TEST(TurnGuest, RejectsADamagedTape) {
   const Tape& tape = turned(cube).tape;
   const Program program = assemble_program(true, tape.memory);
   const base::Bytes whole = punch(tape);
@@ -156,7 +156,7 @@ TEST(TurnGuest, RefusesADamagedTape) {
   }
 }
 
-TEST(TurnGuest, ShowsWhatAFullDisplayFileHolds) {
+TEST(TurnGuest, ShowsThePartThatFitsAFullDisplayFile) {
   Tape tape = turned(star).tape;
   constexpr std::uint32_t header_file_words = 11;
   tape.words[header_file_words] = core::Word18(60);
@@ -190,7 +190,7 @@ TEST(TurnGuest, HasAStatusForEachPicture) {
 }
 
 // Two display files instead of three: the same pictures, later.
-TEST(TurnGuest, DoesWithTwoDisplayFiles) {
+TEST(TurnGuest, WorksWithTwoDisplayFiles) {
   Tape tape = turned(block).tape;
   constexpr std::uint32_t header_files = 12;
   tape.words[header_files] = core::Word18(2);

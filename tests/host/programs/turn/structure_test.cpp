@@ -86,7 +86,7 @@ std::vector<std::uint32_t> states_from_nothing(const TurnedModel& of, const plan
   return states;
 }
 
-TEST(TurnStructure, IsThatOfTheMachinesOwnAngle) {
+TEST(TurnStructure, EqualsThatFromScratchAtTheMachinesAngle) {
   for (const std::string& name : {cube, block, crossed, lshape, star}) {
     const TurnedModel& of = turned(name);
     std::vector<std::vector<plantinga::Occluder>> occluders;
@@ -202,7 +202,7 @@ Points corners_of(const std::vector<core::Word18>& file) {
 
 // Ends of pieces in doubles, along the exact structure: each must be a corner of the display file, as near as the program's words
 // explain for this end.
-TEST(TurnStructure, EndsAreWhereTheWordsCanHaveThem) {
+TEST(TurnStructure, EndsAreWithinThePrecisionOfTheWords) {
   for (const std::string& name : {cube, block, crossed, lshape, star}) {
     const TurnedModel& of = turned(name);
     Twin twin(of.tape.words, model_base(of.tape.memory));
@@ -275,7 +275,7 @@ TEST(TurnPrecision, RotationIsWithinItsBound) {
 }
 
 // Every vector word of the display, pulse by pulse.
-TEST(TurnPrecision, BeamWandersWithinItsBound) {
+TEST(TurnPrecision, TheBeamStaysWithinItsBound) {
   double worst = 0;
   for (unsigned dx = 0; dx < 128; ++dx) {
     for (unsigned dy = 0; dy < 128; ++dy) {

@@ -31,7 +31,7 @@ TEST(TurnTape, EventsAreRoundedUpAndExactOnesAreNot) {
   EXPECT_EQ(event_word(plantinga::rational_direction(-1, 1)), 7U << 15U);
 }
 
-TEST(TurnTape, SumOfAllWordsIsNothing) {
+TEST(TurnTape, SumOfAllWordsIsZero) {
   const Tape& tape = turned(star).tape;
   core::Word18 sum(static_cast<std::uint32_t>(tape.words.size()));
   for (const core::Word18 word : tape.words) sum = sum + word;
@@ -54,7 +54,7 @@ TEST(TurnTape, LayoutAddsUp) {
 
 // The bytes of a tape read by another way, from section 2 of the specification alone: what its words say of every vertex, edge and T-junction is
 // where these are on the screen, by plain geometry in doubles.
-TEST(TurnTape, PunchedWordsSayWhereEverythingIs) {
+TEST(TurnTape, PunchedWordsGiveThePositions) {
   for (const std::string& name : {block, crossed, lshape, star, std::string("boxes-8")}) {
     const TurnedModel& of = turned(name);
     const base::Bytes bytes = punch(of.tape);
@@ -154,7 +154,7 @@ TEST(TurnTape, PunchedWordsSayWhereEverythingIs) {
 }
 
 // Exclusive-ored all round, the changes leave every state as it was.
-TEST(TurnTape, AWholeTurnOfChangesIsNone) {
+TEST(TurnTape, AWholeTurnOfChangesCancels) {
   for (const std::string& name : {cube, block, crossed, lshape, star}) {
     const Tape& tape = turned(name).tape;
     const std::uint32_t base = model_base(tape.memory);
@@ -171,7 +171,7 @@ TEST(TurnTape, AWholeTurnOfChangesIsNone) {
   }
 }
 
-TEST(TurnTape, SaysByHowManyWordsAModelIsTooLarge) {
+TEST(TurnTape, ReportsTheExcessWordsOfAModel) {
   const plantinga::RotationModel model(*stand_on_axis(scene_named(grid), false));
   const auto list = plantinga::build_event_list(model);
   const auto small = encode(model, *list, Memory::words_8k);
@@ -183,7 +183,7 @@ TEST(TurnTape, SaysByHowManyWordsAModelIsTooLarge) {
   EXPECT_TRUE(encode(model, *list, Memory::words_32k));
 }
 
-TEST(TurnTape, RefusesWhatTiltingMakesTooLarge) {
+TEST(TurnTape, RejectsModelsThatTiltingMakesTooLarge) {
   scene::PolyScene scene = scene_named(cube);
   for (auto& vertex : scene.vertices)
     for (auto& coordinate : vertex) coordinate *= 300;

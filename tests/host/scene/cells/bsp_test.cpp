@@ -95,7 +95,7 @@ PolyScene scene_named(const std::string& name) {
   return family == "bricks" ? enlarged(std::move(scene), 1000) : scene;
 }
 
-TEST(DecomposeBsp, IsTriedOnPossibleScenes) {
+TEST(DecomposeBsp, IsTestedOnValidScenes) {
   EXPECT_TRUE(check_poly_scene(tangled()).empty());
   EXPECT_TRUE(check_poly_scene(crossed()).empty());
 }
@@ -195,14 +195,14 @@ std::string problems_of(const PolyScene& scene, const BspOptions& options = {}) 
   return text;
 }
 
-TEST(DecomposeBsp, MakesPossibleComplexes) {
+TEST(DecomposeBsp, MakesValidComplexes) {
   for (const char* name : {"boxes:30", "edgeon:27", "touch:2", "aligned:3", "town:25", "triangles:16",
                            "bricks:12", "rooms:4", "grid.off", "tori.off", "tangled", "crossed"}) {
     EXPECT_EQ(problems_of(scene_named(name)), "") << name;
   }
 }
 
-TEST(DecomposeBsp, MakesPossibleComplexesOfLeavesThatAreNotJoined) {
+TEST(DecomposeBsp, MakesValidComplexesWithoutJoiningLeaves) {
   BspOptions apart;
   apart.join = false;
   for (const char* name : {"town:16", "rooms:3", "squares.off", "tangled", "crossed"}) {
@@ -228,7 +228,7 @@ TEST(DecomposeBsp, IsTheSameEachTime) {
 }
 
 // Around a block of cubes that touch face to face there is no more to cut than around one box.
-TEST(DecomposeBsp, JoinsWhatIsConvexTogether) {
+TEST(DecomposeBsp, JoinsCellsWhoseUnionIsConvex) {
   EXPECT_EQ(decompose_bsp(generate_boxes(1))->cells.size(), 6U);
   EXPECT_EQ(decompose_bsp(generate_touch(3))->cells.size(), 6U);
   BspOptions apart;
@@ -236,7 +236,7 @@ TEST(DecomposeBsp, JoinsWhatIsConvexTogether) {
   EXPECT_GT(decompose_bsp(generate_touch(3), apart)->cells.size(), 6U);
 }
 
-TEST(DecomposeBsp, NamesWhatStopsIt) {
+TEST(DecomposeBsp, NamesTheLimitThatStopsIt) {
   const auto empty = decompose_bsp(PolyScene{});
   EXPECT_EQ(empty.error().found, "there is no face");
   const auto large = decompose_bsp(generate_boxes(10), {.most_leaves = 20});

@@ -184,7 +184,7 @@ TEST(DecomposeGrid, EdgesAreCovered) {
 }
 
 // Of a building of more rows than are gone through at once, in which walls lie on two such bands.
-TEST(DecomposeGrid, LinesStandByEdge) {
+TEST(DecomposeGrid, LinesAreIndexedByEdge) {
   const auto cut = decompose_grid(generate_big_rooms(130));
   const CellComplex& complex = *cut;
   std::size_t unordered = 0;
@@ -198,7 +198,7 @@ TEST(DecomposeGrid, LinesStandByEdge) {
   EXPECT_EQ(lines, complex.lines.size());
 }
 
-TEST(FreeRectangles, CoverWhatIsFreeOnce) {
+TEST(FreeRectangles, CoverFreeSpaceOnce) {
   SceneRandom random(11);
   FreeRectangles free;
   for (int round = 0; round < 200; ++round) {

@@ -43,7 +43,7 @@ class CheckComplex : public ::testing::Test {
   }
 };
 
-TEST_F(CheckComplex, TheWholeIsFaultless) {
+TEST_F(CheckComplex, TheUnchangedComplexHasNoErrors) {
   EXPECT_TRUE(check_complex(good_, scene_).empty());
 }
 

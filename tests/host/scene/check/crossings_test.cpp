@@ -88,7 +88,7 @@ TEST(Crossings, AnEdgeThatSticksIntoABox) {
   EXPECT_EQ(lines_of(scene), (std::set<std::set<PolyPoint>>{{{100, 50, 50}, {100, 90, 50}}}));
 }
 
-TEST(Crossings, TouchingIsNoCrossing) {
+TEST(Crossings, TouchingIsNotACrossing) {
   PolyScene scene;
   add_box(scene, {0, 0, 0}, {100, 100, 100});
   add_box(scene, {100, 0, 0}, {200, 100, 100});    // a whole face
@@ -126,7 +126,7 @@ TEST(Crossings, ThroughCorners) {
 
 // Triangles at random: two cross along a line if and only if the sides of one or the other go through its inside
 // twice. The ends, in doubles, are those points.
-TEST(Crossings, OfTrianglesAtRandomAreWhereSidesGoThroughTheOther) {
+TEST(Crossings, OfRandomTrianglesAreWhereSidesPassThroughTheOther) {
   std::mt19937 random(4);
   using Point = std::array<double, 3>;
   const auto minus = [](const PolyPoint& a, const PolyPoint& b) {
@@ -187,7 +187,7 @@ TEST(Crossings, OfTrianglesAtRandomAreWhereSidesGoThroughTheOther) {
 }
 
 // Each pair is found, wherever its faces are and however large.
-TEST(Crossings, OfManyBodiesAreThoseOfEveryPair) {
+TEST(Crossings, OfManyBodiesEqualThoseOfAllPairs) {
   std::mt19937 random(8);
   std::size_t pairs = 0;
   for (int round = 0; round < 20; ++round) {
@@ -221,7 +221,7 @@ TEST(Crossings, OfManyBodiesAreThoseOfEveryPair) {
 
 // The cheap test is right wherever it says yes, in both parts: of the bodies' boxes and of each body alone; and it says yes
 // where nothing is against it.
-TEST(AreBodiesApart, AgainstEveryPairOfBoxes) {
+TEST(AreBodiesApart, MatchesATestOfEveryPairOfBoxes) {
   std::mt19937 generator(11);
   const auto below = [&generator](std::uint32_t limit) { return static_cast<std::int32_t>(generator() % limit); };
   int apart = 0;
@@ -255,7 +255,7 @@ TEST(AreBodiesApart, AgainstEveryPairOfBoxes) {
   EXPECT_LT(apart, 350);
 }
 
-TEST(AreBodiesApart, ABodyThatIsNotConvexIsNot) {
+TEST(AreBodiesApart, ANonConvexBodyIsNot) {
   PolyScene scene;
   // Two sheets of one body through each other.
   add_sheet(scene, {{0, 0, 0}, {100, 0, 0}, {100, 100, 0}, {0, 100, 0}});

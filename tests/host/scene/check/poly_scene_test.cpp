@@ -30,7 +30,7 @@ PolyScene cube_and_sheet() {
   return builder.take();
 }
 
-TEST(CheckPolyScene, LetsGoodScenesThrough) {
+TEST(CheckPolyScene, AcceptsValidScenes) {
   EXPECT_EQ(problems(cube_and_sheet()), "");
   for (const std::string_view family : generator_names()) {
     const auto scene = generate_scene(family, 3, 7);
@@ -38,7 +38,7 @@ TEST(CheckPolyScene, LetsGoodScenesThrough) {
   }
 }
 
-TEST(CheckPolyScene, TheGeneratedSetIsInOrder) {
+TEST(CheckPolyScene, TheGeneratedSetIsValid) {
   for (const GeneratedSceneName& name : generated_set()) {
     const auto scene = generate_scene(name.family, name.size, name.seed);
     ASSERT_EQ(problems(*scene), "") << scene->name;
@@ -216,7 +216,7 @@ TEST(CheckPolyScene, ACavityFacesInwards) {
 }
 
 // A comb of so many teeth that each edge is beside every other one.
-TEST(CheckPolyScene, TooManyEdgesSideBySideAreNamed) {
+TEST(CheckPolyScene, TooManyAdjacentEdgesAreAnError) {
   const auto comb = [](std::int32_t teeth) {
     PolyScene scene;
     PolyFace face;
@@ -234,7 +234,7 @@ TEST(CheckPolyScene, TooManyEdgesSideBySideAreNamed) {
   EXPECT_EQ(problems(comb(20000)), "body 0, face 0: has too many edges side by side to be checked\n");
 }
 
-TEST(CheckPolyScene, LooksForNoMoreThanAHundredErrors) {
+TEST(CheckPolyScene, ReportsAtMostAHundredErrors) {
   PolyScene scene = generate_boxes(50);
   for (PolyPoint& p : scene.vertices) p[0] += 1 << 20;
   EXPECT_EQ(check_poly_scene(scene).size(), most_scene_errors);

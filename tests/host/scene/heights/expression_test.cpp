@@ -71,7 +71,7 @@ TEST(SampleExpression, UndefinedHeightsAreHoles) {
   EXPECT_FALSE(std::isfinite(grid_of("1/x").height(2, 1)));
 }
 
-TEST(SampleExpression, ErrorsPointAtTheirPlace) {
+TEST(SampleExpression, ErrorsHaveAPosition) {
   const base::Error unknown = error_of("sin(x) + frog(z)");
   EXPECT_EQ(unknown.place, "10");
   EXPECT_EQ(unknown.place, "10");
@@ -88,7 +88,7 @@ TEST(SampleExpression, ErrorsPointAtTheirPlace) {
 }
 
 // The parser counts from 0 and says so in the middle of its sentences.
-TEST(SampleExpression, OnePlaceIsSaid) {
+TEST(SampleExpression, OnePositionIsReported) {
   for (const char* wrong : {"x + w", "x + ", "(x + z", "x z", "x + * z", "x,z", "sin(x,z)", "x : z", "\"x",
                             "sin()", ")", "max()", "(x,z)", "x ? z"}) {
     const base::Error error = error_of(wrong);
@@ -103,7 +103,7 @@ TEST(SampleExpression, AnAngleOfTwo) {
   EXPECT_EQ(grid_of("atan2(z, x)").height(4, 2), std::atan2(2.0, 2.0));
 }
 
-TEST(SampleExpression, WhatOtherwiseWouldBeTakenForSomethingElse) {
+TEST(SampleExpression, AmbiguousExpressionsAreErrors) {
   EXPECT_EQ(error_of("x = 3").place, "3");
   EXPECT_NE(error_of("x = 3").message(base::MessageStyle::position).find("=="), std::string::npos);
   EXPECT_EQ(error_of("x += 3").place, "4");
@@ -125,7 +125,7 @@ TEST(SampleExpression, NowhereFinite) {
             (Interval{5, 5}));
 }
 
-TEST(SampleExpression, SizesAtTheDoor) {
+TEST(SampleExpression, SizesAreChecked) {
   EXPECT_NE(error_of("x", {1, 5}).message(base::MessageStyle::position).find("2 to 1024"), std::string::npos);
   error_of("x", {5, 1});
   error_of("x", {1025, 5});
@@ -135,7 +135,7 @@ TEST(SampleExpression, SizesAtTheDoor) {
 TEST(ReadDomain, TwoNumbers) {
   EXPECT_EQ(*read_domain("-3:3"), (Interval{-3, 3}));
   EXPECT_EQ(*read_domain("+1e-3:2.5"), (Interval{0.001, 2.5}));
-  EXPECT_EQ(*read_domain("-1e-400:1"), (Interval{0, 1})) << "too near 0 to be told from it";
+  EXPECT_EQ(*read_domain("-1e-400:1"), (Interval{0, 1})) << "too close to 0 to differ from it";
   for (const char* bad :
        {"", ":", "3", "3:", ":3", "3:3", "3:-3", "a:b", "0:nan", "0:inf", "0:1:2", "0 :1", "0:1e999"})
     EXPECT_FALSE(read_domain(bad)) << bad;

@@ -85,7 +85,7 @@ TEST(Sample, SpikeAndTerrainBelongToTheGrid) {
   EXPECT_EQ(terrain.height(10, 6), (222 + 910 + 7) % 64 + 40);  // 60 mod 53 = 7
 }
 
-TEST(FiniteRange, LeavesOutWhatIsUndefined) {
+TEST(FiniteRange, OmitsUndefinedHeights) {
   EXPECT_EQ(finite_range({NAN, 3, -HUGE_VAL, -2, HUGE_VAL}), (Interval{-2, 3}));
   EXPECT_EQ(finite_range({NAN}), (Interval{0, 0}));
   EXPECT_FALSE(anywhere_finite({NAN, HUGE_VAL}));

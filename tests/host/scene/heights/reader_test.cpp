@@ -49,7 +49,7 @@ TEST(ReadHeightGrid, NumbersTooNearZeroAreZero) {
 }
 
 // Different in the file, the same in [-1, 1].
-TEST(ReadHeightGrid, PlacesThatCoincide) {
+TEST(ReadHeightGrid, CoincidentPositions) {
   EXPECT_NE(error_of("0 0 1\n1e-30 0 2\n1 0 3\n2 0 3\n\n0 5 4\n1e-30 5 5\n1 5 6\n2 5 3\n")
                 .find("grid.txt:2:1: found a second point at x = 1e-30, y = 0 with the height 2, expected one height for each place; the first is 1 in line 1"),
             std::string::npos);
@@ -178,7 +178,7 @@ TEST(ReadHeightGrid, PointsInAnyOrder) {
   EXPECT_TRUE(std::isnan(named.height(0, 1)) && std::isnan(named.height(1, 1)));
 }
 
-TEST(ReadHeightGrid, ColumnsAskedFor) {
+TEST(ReadHeightGrid, RequestedColumns) {
   const auto read = [](std::string_view text, std::vector<std::string> columns) {
     const auto result = read_height_grid(text, "grid.txt", {std::move(columns)});
     return result ? std::to_string(result->height(1, 0)) : result.error().message(base::MessageStyle::position);
@@ -228,7 +228,7 @@ std::string note_of(std::string_view text, const GridFileOptions& options = {}) 
 }
 
 // As the layout was guessed, or not.
-TEST(GridLayouts, WhatWasGuessedIsSaid) {
+TEST(GridLayouts, GuessesAreReported) {
   EXPECT_EQ(note_of("1,3,3\n4,5,6\n"), "read as a matrix of 2 rows and 3 columns");
   EXPECT_EQ(note_of("1,2,3\n4,5,6\n", {{}, GridLayout::matrix}), "");
   EXPECT_EQ(note_of("at,1,2\n0,5,6\n1,7,8\n"), "");
@@ -253,7 +253,7 @@ TEST(GridLayouts, NonuniformMatrix) {
   EXPECT_EQ(grid_of("0 10 20 30\n200 7 8 9\n210 7 8 9\n220 1 2 3\n").domain_x, (Interval{10, 30}));
   // A slope is a matrix, its corner is the first height.
   EXPECT_EQ(note_of("0 1 2 3\n1 2 3 4\n2 3 4 5\n3 4 5 6\n"), "read as a matrix of 4 rows and 4 columns; if its first line and column are places, use --layout table");
-  EXPECT_EQ(note_of("2 3 5\n4 2 3\n4 8 9\n"), "read as a matrix of 3 rows and 3 columns") << "places down neither rise nor fall";
+  EXPECT_EQ(note_of("2 3 5\n4 2 3\n4 8 9\n"), "read as a matrix of 3 rows and 3 columns") << "the column is not monotone";
   EXPECT_EQ(note_of("3 0 1 4\n5 4 5 6\n0 1 2 3\n", {{}, GridLayout::matrix}), "");
   EXPECT_EQ(note_of("9 0 1 4\n5 4 5 6\n0 1 2 3\n", {{}, GridLayout::table}), "");
   EXPECT_EQ(note_of("9 0 1 1\n5 4 5 6\n0 1 2 3\n", {{}, GridLayout::table}),
@@ -286,7 +286,7 @@ TEST(GridLayouts, ColumnsOfWords) {
 }
 
 // As "set table" of gnuplot writes a surface: the type of each point is behind it.
-TEST(GridLayouts, WordsBehindPoints) {
+TEST(GridLayouts, WordsAfterPoints) {
   const HeightGrid grid = grid_of("# x y z type\n0 0 1  i\n5 0 2  i\n\n0 3 4  o\n5 3 nan  u\n");
   EXPECT_EQ(grid.domain_x, (Interval{0, 5}));
   EXPECT_EQ(grid.domain_z, (Interval{0, 3}));
@@ -308,7 +308,7 @@ TEST(GridLayouts, RepeatedPoints) {
   EXPECT_NE(error_of("0 0 1\n1 0 2\n0 5 3\n1 5 4\n0 0 5\n1 0 6\n0 5 7\n1 5 8\n").find("grid.txt:5:1: found a second point"), std::string::npos);
 }
 
-TEST(GridLayouts, FewColumnsAreNoMatrix) {
+TEST(GridLayouts, FewColumnsAreNotAMatrix) {
   const std::string scattered = " different values of x and ";
   EXPECT_NE(error_of("0.1 3.2 1\n2.5 0.3 2\n1.7 1.9 4\n0.4 2.2 3\n").find("found 4 scattered points with 4" + scattered), std::string::npos);
   std::string four;
@@ -335,7 +335,7 @@ TEST(GridLayouts, DecimalCommas) {
             "grid.txt:1:3: found '5 2', expected one number between two commas; where fractions have a comma, semicolons must separate the numbers");
 }
 
-TEST(GridLayouts, WhatIsNoText) {
+TEST(GridLayouts, BinaryFiles) {
   using namespace std::string_view_literals;
   const std::string wanted = ", expected a text of heights; save it as text in UTF-8, such as CSV, or as an ESRI ASCII grid";
   EXPECT_EQ(error_of("DSBB\0\0"sv), "grid.txt: found a binary Surfer grid" + wanted);
@@ -350,7 +350,7 @@ TEST(GridLayouts, WhatIsNoText) {
 
 // --- formats that say what they are
 
-TEST(EsriGrid, PlacesAreTheMiddlesOfCells) {
+TEST(EsriGrid, PositionsAreTheMiddlesOfCells) {
   const std::string_view cells = "NCOLS 3\nNROWS 2\nXLLCORNER 10\nYLLCORNER 20\nCELLSIZE 2\nNODATA_VALUE -1\n4 -1 6\n1 2\n3\n";
   const HeightGrid grid = grid_of(cells);
   EXPECT_EQ(grid.note, "");
@@ -371,7 +371,7 @@ TEST(EsriGrid, PlacesAreTheMiddlesOfCells) {
 }
 
 // GDAL writes nan for holes, and says so.
-TEST(EsriGrid, NanForNoHeight) {
+TEST(EsriGrid, NanForUndefinedHeights) {
   const HeightGrid grid = grid_of("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value nan\n-nan 2\n3 4\n");
   EXPECT_EQ(grid.heights[0], 3);
   EXPECT_TRUE(std::isnan(grid.heights[2]));
@@ -404,7 +404,7 @@ TEST(SurferGrid, RowsBeginInTheSouth) {
   EXPECT_EQ(error_of("DSAA\n3 2\n10 x\n"), "grid.txt:3:4: found 'x', expected the greatest x");
 }
 
-TEST(LoadHeightGrid, FilesThatAreNone) {
+TEST(LoadHeightGrid, FilesThatAreNotGrids) {
   const auto missing = load_height_grid("/nowhere/grid.csv");
   EXPECT_EQ(missing.error().message(base::MessageStyle::position), "/nowhere/grid.csv: found no such file");
   const auto folder = load_height_grid(SIGHTLINE_TEST_DATA);
@@ -436,7 +436,7 @@ TEST(LoadHeightGrid, OneHillInFourLayouts) {
   }
 }
 
-TEST(LoadHeightGrid, WhatIsNoSurfaceOverAGrid) {
+TEST(LoadHeightGrid, SurfacesThatAreNotOverAGrid) {
   const auto error = [](const std::string& file) {
     const auto grid = load_height_grid(SIGHTLINE_TEST_DATA "/heights/" + file);
     return grid ? "no error" : grid.error().found;

@@ -27,7 +27,7 @@ TEST(RoundValues, AreWrittenShort) {
   EXPECT_EQ(texts({1.1, 1.4}, 2), "1.2 1.4 ");
 }
 
-TEST(RoundValues, OfNothing) {
+TEST(RoundValues, OfAnEmptyInterval) {
   EXPECT_TRUE(round_values({2, 2}, 5).empty());
   EXPECT_TRUE(round_values({2, 1}, 5).empty());
   EXPECT_TRUE(round_values({0, std::nan("")}, 5).empty());

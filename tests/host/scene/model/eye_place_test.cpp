@@ -192,7 +192,7 @@ TEST(AimCamera, UpKeepsDirectionsExact) {
   EXPECT_EQ(turned_camera(frame, {}, dimetric, {0, 2, 0}, false), aimed_camera(frame, {}, direction_of(dimetric), false));
 }
 
-TEST(AimCamera, UpThatNeedsLargeVectorsIsNear) {
+TEST(AimCamera, UpThatNeedsLargeVectorsIsApproximated) {
   SceneRandom random(38);
   for (int i = 0; i < 500; ++i) {
     std::array<double, 3> direction{};
@@ -209,7 +209,7 @@ TEST(AimCamera, UpThatNeedsLargeVectorsIsNear) {
   }
 }
 
-TEST(AimCamera, TheThreeQuarterViewIsThatOfAFile) {
+TEST(AimCamera, TheThreeQuarterViewEqualsThatOfAFile) {
   PolyScene scene = *generate_scene("town", 9, 2);
   EXPECT_EQ(three_quarter_camera({}, scene), default_poly_camera(scene));
   for (std::size_t vertical = 0; vertical < 3; ++vertical)

@@ -220,7 +220,7 @@ TEST(AssimpMesh, ThreemfBuildsItsItems) {
   EXPECT_EQ(silent->unit, "mm");  // what the specification says of a model that does not say it
 }
 
-TEST(AssimpMesh, WhatIsReadIsASolidOfEachNode) {
+TEST(AssimpMesh, EachNodeIsASolid) {
   NEEDS_ASSIMP();
   const auto read = read_poly(glb(), "a.glb", PolyFormat::glb, {.mend = true});
   ASSERT_TRUE(read) << read.error().message();
@@ -230,7 +230,7 @@ TEST(AssimpMesh, WhatIsReadIsASolidOfEachNode) {
   EXPECT_EQ(face_count(read->scene), 8U);
 }
 
-TEST(AssimpMesh, ToldByContent) {
+TEST(AssimpMesh, RecognisedByContent) {
   EXPECT_EQ(poly_format_of("a.stl", glb()), PolyFormat::glb);
   EXPECT_EQ(poly_format_of("a.stl", threemf("")), PolyFormat::threemf);
   EXPECT_EQ(poly_format_of("a.json", gltf(two_nodes, "")), PolyFormat::gltf);
@@ -239,7 +239,7 @@ TEST(AssimpMesh, ToldByContent) {
   EXPECT_EQ(poly_format_of("-", "{\"asset"), PolyFormat::json);
 }
 
-TEST(AssimpMesh, BuffersComeFromTheFolderAlone) {
+TEST(AssimpMesh, BuffersComeOnlyFromTheFolder) {
   NEEDS_ASSIMP();
   const std::filesystem::path folder = std::filesystem::current_path() / "assimp_mesh_test";
   std::filesystem::create_directories(folder / "in" / "sub");
@@ -264,7 +264,7 @@ TEST(AssimpMesh, BuffersComeFromTheFolderAlone) {
   std::filesystem::remove_all(folder);
 }
 
-TEST(AssimpMesh, DamageIsNamed) {
+TEST(AssimpMesh, ErrorsAreNamed) {
   NEEDS_ASSIMP();
   const auto has = [](const std::string& message, const std::string& part) {
     return message.find(part) != std::string::npos ? testing::AssertionSuccess() : testing::AssertionFailure() << message;

@@ -31,7 +31,7 @@ std::string error_of(const std::string& text) {
   return !read ? read.error().message() : "";
 }
 
-TEST(CellComplexFile, WhatIsWrittenIsReadAgain) {
+TEST(CellComplexFile, AWrittenFileIsReadAgain) {
   std::vector<PolyScene> scenes{poly_scene_of(builtin_scene("roberts")),
                                 poly_scene_of(builtin_scene("house")), generate_boxes(6),
                                 generate_triangles(4)};
@@ -47,7 +47,7 @@ TEST(CellComplexFile, WhatIsWrittenIsReadAgain) {
   EXPECT_NE(file_of(scenes[0], DecompositionMethod::bsp), file_of(scenes[0], DecompositionMethod::grid));
 }
 
-TEST(CellComplexFile, OtherTextIsNone) {
+TEST(CellComplexFile, OtherTextIsNotACellComplex) {
   EXPECT_FALSE(is_cell_complex(""));
   EXPECT_FALSE(is_cell_complex("{\"bodies\": []}"));
   EXPECT_FALSE(is_cell_complex("\"sightline/cell-complex/2\""));
@@ -55,7 +55,7 @@ TEST(CellComplexFile, OtherTextIsNone) {
 }
 
 // One change to a good file each, and what is said of it.
-TEST(CellComplexFile, NamesWhatIsWrong) {
+TEST(CellComplexFile, NamesTheErrors) {
   const PolyScene scene = poly_scene_of(builtin_scene("roberts"));
   const json good = json::parse(file_of(scene));
   ASSERT_EQ(error_of(good.dump()), "");
@@ -115,7 +115,7 @@ TEST(CellComplexFile, NestingOfAnyDepthIsAnError) {
   EXPECT_EQ(error_of(text), "c.json: polyhedra: expected an object, found an array of 1");
 }
 
-TEST(CellComplexFile, ACellTakenAwayIsMissed) {
+TEST(CellComplexFile, ARemovedCellIsAnError) {
   const PolyScene scene = poly_scene_of(builtin_scene("roberts"));
   json file = json::parse(file_of(scene));
   // The last cell and all its openings: the rest is in order, but does not fill the outer box.
@@ -140,7 +140,7 @@ TEST(CellComplexFile, ACellTakenAwayIsMissed) {
   EXPECT_NE(error_of(file.dump()), "");
 }
 
-TEST(CellComplexFile, SyntaxAndNothing) {
+TEST(CellComplexFile, SyntaxErrorsAndEmptyFiles) {
   EXPECT_NE(error_of("").find("c.json: line 1, column 1"), std::string::npos) << error_of("");
   EXPECT_NE(error_of("[]").find("expected an object"), std::string::npos);
   const std::string text = file_of(generate_boxes(2));

@@ -62,7 +62,7 @@ struct Damage {
 
 class DamagedScene : public testing::TestWithParam<Damage> {};
 
-TEST_P(DamagedScene, IsNamedByFilePlaceAndCause) {
+TEST_P(DamagedScene, IsReportedByFilePositionAndCause) {
   json document = json::parse(builtin_scene_text("house").value());
   const json::json_pointer pointer(GetParam().pointer);
   if (*GetParam().value) {
@@ -121,14 +121,14 @@ TEST(ReadCellScene, NamesLineAndColumnOfASyntaxError) {
   EXPECT_NE(error.found.find("unexpected '}'"), std::string::npos) << error.found;
 }
 
-TEST(ReadCellScene, RefusesTextThatIsNoJsonObject) {
+TEST(ReadCellScene, RejectsTextThatIsNotAJsonObject) {
   for (const char* text : {"", " ", "[]", "7", "null", "\xff\xfe", "{\"name\":\"\xc3\"}"}) {
     EXPECT_FALSE(read_cell_scene(text, "x")) << text;
   }
   EXPECT_FALSE(read_cell_scene(std::string(100000, '['), "x"));
 }
 
-TEST(LoadCellScene, FindsBuiltinScenesAndNamesWhatIsNotThere) {
+TEST(LoadCellScene, FindsBuiltinScenesAndNamesMissingFiles) {
   EXPECT_TRUE(load_cell_scene("corridor8"));
   const auto missing = load_cell_scene("no/such/scene.json");
   EXPECT_EQ(missing.error().message(),
@@ -138,7 +138,7 @@ TEST(LoadCellScene, FindsBuiltinScenesAndNamesWhatIsNotThere) {
   EXPECT_NE(folder.error().found.find("directory"), std::string::npos);
 }
 
-TEST(LoadCellScene, ChecksWhatAFileSays) {
+TEST(LoadCellScene, ChecksTheFile) {
   json document = json::parse(builtin_scene_text("house").value());
   document["cells"][1][1][0] = 240;
   const auto file = std::filesystem::path(testing::TempDir()) / "sightline-load-test.json";

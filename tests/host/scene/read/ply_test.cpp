@@ -85,7 +85,7 @@ TEST(Ply, ColoursAreMaterialsAndOtherElementsAreNamed) {
   EXPECT_EQ(mesh->precision, 0.1);
 }
 
-TEST(Ply, EachKindOfDamageIsNamed) {
+TEST(Ply, EachKindOfErrorIsNamed) {
   const std::string rows = "0 9 0 0\n3 9 0 0\n0 9 -3 0\n";
   EXPECT_EQ(ply_error("ply"), "a.ply: line 1: found no end of the header, expected \"end_header\"") << "no line ends";
   EXPECT_EQ(ply_error("ply\nformat ascii 1.0\n"), "a.ply: line 3: found no end of the header, expected \"end_header\"");
@@ -157,7 +157,7 @@ TEST(Ply, StripsOfTriangles) {
   EXPECT_FALSE(read("element tristrips 1\nproperty list int int strip\n", "3 0 1 2\n"));
 }
 
-TEST(Ply, WhatTheFormatAllowsIsRead) {
+TEST(Ply, VariantsOfTheFormatAreRead) {
   const std::string face = "element face 1\nproperty list uchar int vertex_indices\n";
   const std::string body = std::string("end_header\n") + four_rows + "3 0 1 2\n";
   const std::string head = "ply\nformat ascii 1.0\n";

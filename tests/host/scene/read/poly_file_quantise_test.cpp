@@ -78,7 +78,7 @@ TEST(Quantise, DecimalFractionsFarAwayLoseNothing) {
   EXPECT_EQ(again.scene, import.scene);
 }
 
-TEST(Quantise, WholeNumbersFarAwayStayWhatTheyAre) {
+TEST(Quantise, IntegersFarAwayAreExact) {
   const PolyImport import =
       read("OFF\n3 1 0\n-9000000000 7 0\n-8999800000 7 0\n-9000000000 100007 1\n3 0 1 2\n", PolyFormat::off);
   EXPECT_FALSE(import.report.quantised);
@@ -95,7 +95,7 @@ TEST(Quantise, TheStepIsNoFinerThanTheNumbers) {
 }
 
 // Wherever a mesh lies, as long as its numbers are the same, it is the same scene.
-TEST(Quantise, AMeshThatWasMovedIsTheSameScene) {
+TEST(Quantise, ATranslatedMeshIsTheSameScene) {
   std::mt19937 random(3);
   const auto below = [&random](unsigned most) { return static_cast<double>(random() % most); };
   for (int round = 0; round < 200; ++round) {
@@ -133,7 +133,7 @@ TEST(Quantise, FacesThatAreNoLongerPlanarBecomeTriangles) {
   EXPECT_EQ(problems(import.scene), "");
 }
 
-TEST(Quantise, PointsThatFallTogetherBecomeOne) {
+TEST(Quantise, CoincidentPointsAreMerged) {
   const PolyImport import =
       read("OFF\n5 2 0\n0 0 0\n100000.7 0 0\n0 100000.7 0\n0 0 0.000001\n7 7 7\n3 0 1 2\n3 0 1 3\n",
            PolyFormat::off);

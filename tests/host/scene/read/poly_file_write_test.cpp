@@ -15,7 +15,7 @@
 namespace sightline::scene {
 namespace {
 
-TEST(WritePoly, WhatIsWrittenReadsAsTheSameScene) {
+TEST(WritePoly, AWrittenSceneIsReadBackUnchanged) {
   for (const std::string_view family : generator_names()) {
     const auto scene = *generate_scene(family, 3, 5);
     EXPECT_EQ(read(written(scene, PolyFormat::json), PolyFormat::json).scene, scene) << family;
@@ -32,7 +32,7 @@ TEST(WritePoly, WhatIsWrittenReadsAsTheSameScene) {
   }
 }
 
-TEST(WritePoly, WiresAreKeptByObjAndJsonAndRefusedByTheOthers) {
+TEST(WritePoly, WiresAreKeptByObjAndJsonAndRejectedByTheOthers) {
   PolyScene scene = generate_triangles(1);
   scene.vertices.push_back({7, 8, 9});
   scene.wires = {{0, 1}, {2, 3}};
@@ -84,7 +84,7 @@ TEST(WritePoly, FacesWithHolesBecomeTriangles) {
   EXPECT_DOUBLE_EQ(area(off), area(scene));
 }
 
-TEST(WritePoly, AFaceOfTooManyVerticesWithAHoleIsNamed) {
+TEST(WritePoly, AFaceOfTooManyVerticesWithAHoleIsAnError) {
   PolyScene scene;
   PolyFace face;
   const auto add = [&](std::vector<VertexIndex>& ring, std::int32_t x, std::int32_t y) {

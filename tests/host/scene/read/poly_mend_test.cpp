@@ -57,7 +57,7 @@ TEST(PolyMend, WiresFollowTheirVertices) {
   EXPECT_EQ(import.report.faces.dropped_wires, 1U);
 }
 
-TEST(PolyMend, WiresStayWhenNoFaceDoes) {
+TEST(PolyMend, WiresRemainEvenWithoutFaces) {
   PolyMesh mesh = mesh_of({{0, 0, 0}, {8, 0, 0}, {16, 0, 0}, {0, 0, 5}}, {{0, 1, 2}});
   mesh.wires = {{0, 3}};
   const PolyImport import = mended(mesh);
@@ -67,7 +67,7 @@ TEST(PolyMend, WiresStayWhenNoFaceDoes) {
   EXPECT_EQ(import.report.faces.dropped_faces, 1U);
 }
 
-TEST(PolyMend, WhatIsInOrderIsNotTouched) {
+TEST(PolyMend, ValidMeshesAreUnchanged) {
   const PolyImport cube = mended(mesh_of(cube_corners, cube_faces));
   const MendReport& report = cube.report.faces;
   EXPECT_EQ(report.merged_vertices + report.dropped_vertices + report.dropped_faces + report.duplicate_faces +
@@ -87,7 +87,7 @@ TEST(PolyMend, FacesTurnedTheWrongWay) {
   EXPECT_EQ(mended(mesh_of(cube_corners, faces)).report.faces.turned_faces, 6U);
 }
 
-TEST(PolyMend, ShellsWithinEachOtherTakeTurns) {
+TEST(PolyMend, NestedShellsAlternate) {
   // Three cubes around each other, all written outside out: solid, cavity, solid.
   std::vector<std::array<double, 3>> points;
   Faces faces;
@@ -130,7 +130,7 @@ void add_loose_cube(double apart, std::vector<std::array<double, 3>>& points, Fa
   }
 }
 
-TEST(PolyMend, VerticesOnOnePointAndNearEachOther) {
+TEST(PolyMend, CoincidentAndNearbyVertices) {
   std::vector<std::array<double, 3>> points;
   Faces faces;
   add_loose_cube(0, points, faces);
@@ -145,7 +145,7 @@ TEST(PolyMend, VerticesOnOnePointAndNearEachOther) {
   EXPECT_EQ(welded.report.faces.sheets, 0U);
 }
 
-TEST(PolyMend, FacesTwiceWithoutAreaCrossingThemselves) {
+TEST(PolyMend, RepeatedDegenerateAndSelfCrossingFaces) {
   Faces faces = cube_faces;
   faces.push_back({1, 0, 3, 2});     // the first again, from another corner
   faces.push_back({0, 1, 0});        // no area
@@ -156,7 +156,7 @@ TEST(PolyMend, FacesTwiceWithoutAreaCrossingThemselves) {
 }
 
 // A cube of 6, the first corner of which is in the middle of an octahedron whose bounds are around it, and that sticks out of it.
-TEST(PolyMend, ASolidThatSticksOutOfAnotherIsNoCavity) {
+TEST(PolyMend, ASolidThatSticksOutOfAnotherIsNotACavity) {
   std::vector<std::array<double, 3>> points{{10, 0, 0}, {-10, 0, 0}, {0, 10, 0}, {0, -10, 0}, {0, 0, 10}, {0, 0, -10}};
   Faces faces{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
   for (const auto& face : cube_faces) {
@@ -220,7 +220,7 @@ TEST(PolyMend, VerticesOnEdgesOfOtherFaces) {
 }
 
 // Near an edge is not on it: what counts is the precision of the file.
-TEST(PolyMend, VerticesBesideEdgesDivideNothing) {
+TEST(PolyMend, VerticesNearEdgesDivideNothing) {
   for (const double aside : {0.0001, 0.01}) {
     std::vector<std::array<double, 3>> points = cube_corners;
     points.push_back({8 + aside, 3, 0});
@@ -318,7 +318,7 @@ TEST(PolyMend, BoxesCutAnywhereStayBoxes) {
 
 // A box at an angle: each side has vertices of its own on its edges, which the sides beside it do not have. The numbers have four
 // decimals, so that no side is planar: the triangles that it becomes leave no edge between vertices on one of its sides.
-TEST(PolyMend, SidesWithVerticesOfTheirOwnStayTogether) {
+TEST(PolyMend, SidesWithAdditionalVerticesStayTogether) {
   using Point = std::array<double, 3>;
   std::mt19937 random(9);
   for (int round = 0; round < 40; ++round) {
@@ -383,7 +383,7 @@ TEST(PolyMend, CracksOfRoundingAreClosed) {
 }
 
 // The distance that is named does what it promises, and none is named for a hole.
-TEST(PolyMend, ADistanceThatHelpsIsNamed) {
+TEST(PolyMend, AHelpfulDistanceIsSuggested) {
   std::vector<std::array<double, 3>> points;
   Faces faces;
   add_loose_cube(0.01, points, faces);
@@ -411,7 +411,7 @@ TEST(PolyMend, AWarpedSquareOfAHeightFieldIsTwoTriangles) {
 }
 
 // Whatever is drawn at random: what is left is in order. (Counts: that something is left at all.)
-TEST(PolyMend, SoupsAreInOrderAfterwards) {
+TEST(PolyMend, RandomMeshesAreValidAfterwards) {
   std::mt19937 random(7);
   for (int round = 0; round < 300; ++round) {
     const int size = 1 + static_cast<int>(random() % 9);

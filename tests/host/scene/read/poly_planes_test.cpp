@@ -68,7 +68,7 @@ TEST(PolyPlanes, ATurnedPlateHasSixSurfaces) {
 }
 
 // A box of size 1 with bevels of 0.2 at 45 degrees, in tenths: its numbers are as short as its bevels are small, and exact.
-TEST(PolyPlanes, BevelsInShortNumbersAreNoErrors) {
+TEST(PolyPlanes, BevelsOfFewDecimalsAreNotErrors) {
   PolyMesh mesh;
   for (const double y : {0.0, 0.8}) mesh.vertices.insert(mesh.vertices.end(), {{0, y, 0}, {1, y, 0}, {1, y, 1}, {0, y, 1}});
   mesh.vertices.insert(mesh.vertices.end(), {{0.2, 1, 0.2}, {0.8, 1, 0.2}, {0.8, 1, 0.8}, {0.2, 1, 0.8}});

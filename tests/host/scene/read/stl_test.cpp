@@ -90,7 +90,7 @@ TEST(Stl, PrecisionOfNumbersWithAnExponent) {
   EXPECT_EQ(precision("1770000", "940000"), 1);  // rounded to whole numbers
 }
 
-TEST(Stl, EachKindOfDamageIsNamed) {
+TEST(Stl, EachKindOfErrorIsNamed) {
   const std::string whole = "solid s\n" + facet("0 0 0", "1 0 0", "0 1 0") + "endsolid s\n";
   EXPECT_EQ(stl_error(whole), "");
   EXPECT_EQ(stl_error(""), "a.stl: byte 0: found the end of the file, expected \"solid\" in the first line of a text, or "
@@ -126,7 +126,7 @@ TEST(Stl, EachKindOfDamageIsNamed) {
             "a.stl: byte 112: found a coordinate of triangle 0 that is no finite number, expected a number");
 }
 
-TEST(Stl, BytesAfterTheTrianglesArePassedOver) {
+TEST(Stl, BytesAfterTheTrianglesAreIgnored) {
   const std::vector<float> triangle{0, 0, 0, 1, 0, 0, 0, 1, 0};
   for (const char* header : {"", "solid", "solid facet normal endsolid", "COLOR=\x01\x02\x03\xff"}) {
     const std::string bytes = binary(triangle, header) + std::string(37, 'x');
@@ -175,7 +175,7 @@ TEST(Stl, AMissingEndIsNoted) {
   EXPECT_EQ(two->notes, (std::vector<std::string>{"2 missing \"endsolid\""}));
 }
 
-TEST(Stl, FacetsThatAreNowhereAreLeftOutWhenMended) {
+TEST(Stl, FacetsWithoutFiniteCornersAreOmittedWhenMended) {
   for (const char* corner : {"nan 0 0", "0 -inf 0", "0 0 1e400", "-1.#IND 0 0", "0 1.#QNAN 0", "0 0 1.#INF00", "-nan(ind) 0 0"}) {
     const std::string text = "solid a\n" + facet(corner, "1 0 0", "0 1 0") + facet("0 0 0", "1 0 0", "0 1 0") + "endsolid\n";
     const auto mended = read_poly(text, "a.stl", PolyFormat::stl, {.mend = true});
@@ -199,7 +199,7 @@ TEST(Stl, FacetsThatAreNowhereAreLeftOutWhenMended) {
   EXPECT_EQ(some->scene.vertices.size(), 3U);
 }
 
-TEST(Stl, IsToldByWhatItIs) {
+TEST(Stl, IsRecognisedByItsContents) {
   EXPECT_EQ(poly_format_of("scan.off", binary({0, 0, 0, 1, 0, 0, 0, 1, 0})), PolyFormat::stl);
   EXPECT_EQ(poly_format_of("scan.ply", "solid x\n facet normal 0 0 1\n"), PolyFormat::stl);
   EXPECT_EQ(poly_format_of("-", "SOLID x\r FACET NORMAL 0 0 1\r"), PolyFormat::stl);

@@ -153,7 +153,7 @@ TEST_P(SkalaTwinFamilyLaws, DotsDoNotDependOnTheDirectionOfSlices) {
   });
 }
 
-TEST_P(SkalaTwinFamilyLaws, WithoutVisibilityNothingIsMissing) {
+TEST_P(SkalaTwinFamilyLaws, WithoutVisibilityEverythingIsDrawn) {
   for_families([](const std::vector<Chain>& chains) {
     const auto hidden_removed = raster_of(sent(chains));
     const auto everything = raster_of(sent(chains, false));
@@ -162,7 +162,7 @@ TEST_P(SkalaTwinFamilyLaws, WithoutVisibilityNothingIsMissing) {
   });
 }
 
-TEST_P(SkalaTwinFamilyLaws, MasksOnlyGrow) {
+TEST_P(SkalaTwinFamilyLaws, MasksNeverShrink) {
   for_families([](const std::vector<Chain>& chains) {
     Columns before = start().end().run().columns;
     for (std::size_t count = 1; count <= chains.size(); ++count) {

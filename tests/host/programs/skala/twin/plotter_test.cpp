@@ -45,7 +45,7 @@ TEST(SkalaTwinPlotter, ARunOfOnePointIsDropped) {
   EXPECT_TRUE(drawn.moves.empty());
 }
 
-TEST(SkalaTwinPlotter, ARunThatStartsWhereTheLastEndedCostsNoLift) {
+TEST(SkalaTwinPlotter, ARunThatStartsWhereTheLastEndedNeedsNoLift) {
   EXPECT_EQ(path(picture().draw(2, 0).commit().draw(2, 2)), "+6688-");
   // Away and back: the run has ended, the pen has not moved.
   EXPECT_EQ(path(picture(false).draw(2, 0).move(9, 9).move(2, 0).draw(2, 1)), "+668-");
@@ -60,7 +60,7 @@ TEST(SkalaTwinPlotter, HiddenPointsEndARun) {
 
 // Rows 0..5 hide; row 5 is their border. A pen that draws goes on along it, one that does not draw does not
 // begin.
-TEST(SkalaTwinPlotter, OnTheBorderAPenGoesOnButDoesNotBegin) {
+TEST(SkalaTwinPlotter, OnTheBorderAPenContinuesButDoesNotStart) {
   auto strip = picture();
   for (int x = 0; x < 6; ++x) strip.move(x, 2).mask(x, 5).commit();
   EXPECT_EQ(path(SkalaBytes(strip).move(0, 6).draw(1, 6).draw(2, 5).draw(4, 5)), "888888+6366-");
@@ -71,11 +71,11 @@ TEST(SkalaTwinPlotter, OnTheBorderAPenGoesOnButDoesNotBegin) {
   EXPECT_EQ(path(SkalaBytes(strip).move(0, 6).draw(1, 5)), "888888+3-");
 }
 
-TEST(SkalaTwinPlotter, ResetLiftsThePenAndKeepsItsPlace) {
+TEST(SkalaTwinPlotter, ResetLiftsThePenAndKeepsItsPosition) {
   EXPECT_EQ(path(picture().draw(2, 0).reset().draw(1, 0)), "+66-44+6-");
 }
 
-TEST(SkalaTwinPlotter, SurfacesAreLinesAndSilhouettesNothing) {
+TEST(SkalaTwinPlotter, SurfacesAreLinesAndSilhouettesAreOmitted) {
   auto bytes = picture().send(Command::silhouette, {3}).surface({{0, 0, 1}, {2, 0, 1}}).commit();
   EXPECT_EQ(path(bytes.surface({{2, 3, 1}, {0, 3, 1}}).commit()), "+66-888+44-");
 }

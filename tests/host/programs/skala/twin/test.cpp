@@ -41,7 +41,7 @@ TEST(SkalaTwinReceipt, NamesTheByteThatStopsIt) {
   expect_stop(SkalaBytes().send(Command::device, {0x83}).end(), Status::complete, 3);
 }
 
-TEST(SkalaTwinReceipt, RefusesColumnsBeyondTheScreenAsSoonAsTheCountHasCome) {
+TEST(SkalaTwinReceipt, RejectsColumnsBeyondTheScreenAtTheCount) {
   expect_stop(SkalaBytes().send(curve, {1, 0}), Status::argument_out_of_range, 3);
   expect_stop(SkalaBytes().send(curve, {254, 3}), Status::argument_out_of_range, 3);
   expect_stop(SkalaBytes().send(curve, {254, 2, 7, 7}).end(), Status::complete, 6);
@@ -50,7 +50,7 @@ TEST(SkalaTwinReceipt, RefusesColumnsBeyondTheScreenAsSoonAsTheCountHasCome) {
   expect_stop(SkalaBytes().send(gap, {0, 0}).end(), Status::complete, 4);
 }
 
-TEST(SkalaTwinReceipt, WhatWasBufferedBeforeAnErrorIsNotDrawn) {
+TEST(SkalaTwinReceipt, CommandsBufferedBeforeAnErrorAreNotDrawn) {
   const auto drawn = SkalaBytes().move(9, 9).draw(20, 9).byte(0x77).run();
   EXPECT_EQ(lit_dots(drawn.raster(Device::ef9365)), 0U);
   EXPECT_EQ(drawn.counts.points_walked, 0U);
@@ -87,7 +87,7 @@ TEST(SkalaTwinLines, FirstPointIsDrawnOnceAndAPointCanStandAlone) {
 }
 
 // After RESET the pen is at (0, 0) and fresh; MOVE there changes nothing.
-TEST(SkalaTwinLines, ResetLeavesTheCornerFresh) {
+TEST(SkalaTwinLines, ResetMakesTheCornerFresh) {
   EXPECT_EQ(window(picture().draw(2, 0), 0, 0, 3, 0), (Rows{"777."}));
   EXPECT_EQ(window(picture().move(0, 0).draw(2, 0), 0, 0, 3, 0), (Rows{"777."}));
   EXPECT_EQ(window(picture().draw(0, 0).send(colour, {1}).move(0, 0).draw(2, 1), 0, 0, 2, 1),
@@ -95,7 +95,7 @@ TEST(SkalaTwinLines, ResetLeavesTheCornerFresh) {
 }
 
 // u = 4, v = 2: dots 1 and 3 lie halfway between two rows. Seen from the left end they go to the farther row.
-TEST(SkalaTwinLines, TiesGoTheSameWayInBothDirections) {
+TEST(SkalaTwinLines, TiesAreTheSameInBothDirections) {
   const Rows rising{"...77", ".77..", "7...."};
   EXPECT_EQ(window(picture().move(10, 10).draw(14, 12), 10, 10, 14, 12), rising);
   EXPECT_EQ(window(picture().move(14, 12).draw(10, 10), 10, 10, 14, 12), rising);
@@ -112,7 +112,7 @@ TEST(SkalaTwinLines, CurveIsDrawnFromColumnToColumn) {
   EXPECT_EQ(window(picture().send(curve, {255, 1, 8}), 254, 7, 255, 8), (Rows{".7", ".."}));
 }
 
-TEST(SkalaTwinMasks, WhatLiesBetweenTwoSlicesIsHidden) {
+TEST(SkalaTwinMasks, LinesBetweenTwoSlicesAreHidden) {
   auto bytes = picture().move(0, 2).draw(4, 2).commit().move(0, 5).draw(4, 5).commit().send(colour, {1});
   EXPECT_EQ(window(bytes.move(0, 7).draw(4, 3).commit(), 0, 1, 4, 7),
             (Rows{"1....", ".1...", "77777", ".....", ".....", "77777", "....."}));
@@ -153,7 +153,7 @@ TEST(SkalaTwinMasks, TestDrawHasOneRowOfSlackAndLeavesNoTrace) {
 
 // A bar in rows 2 to 8 between a lower and a higher one: a dot of it shows where the bar beside it ends, that
 // is on the last row of that, not a row inside it.
-TEST(SkalaTwinMasks, TestDrawShowsBesideAShorterColumn) {
+TEST(SkalaTwinMasks, TestDrawIsVisibleNextToAShorterColumn) {
   const auto bars = [] {
     auto bytes = picture().move(10, 2).mask(10, 5).commit();
     return bytes.move(11, 2).mask(11, 8).commit().move(12, 4).mask(12, 9).commit();
@@ -167,7 +167,7 @@ TEST(SkalaTwinMasks, TestDrawShowsBesideAShorterColumn) {
 }
 
 // A column beside it that nobody has been in, or that is beyond the border, shows nothing.
-TEST(SkalaTwinMasks, TestDrawIsNotShownByColumnsWithoutAMask) {
+TEST(SkalaTwinMasks, TestDrawIsNotVisibleNextToColumnsWithoutAMask) {
   for (const int x : {0, 20, 255}) {
     auto bytes = picture().move(x, 2).mask(x, 8).commit();
     const auto drawn = bytes.move(x, 5).test(x, 6).end().run();
@@ -199,12 +199,12 @@ TEST(SkalaTwinMasks, WithoutVisibilityEverythingIsInkAndNothingIsMasked) {
 
 // Along: L = 4, D = 5, g from -2. Levels 2 and 4 are next to each other: two are stepped where the term
 // allows it.
-TEST(SkalaTwinSurface, LevelsGoAlongTheSlice) {
+TEST(SkalaTwinSurface, LevelsChangeAlongTheSlice) {
   EXPECT_EQ(window(picture().surface({{0, 1, 1}, {4, 1, 6}}), 0, 1, 4, 1), (Rows{"12456"}));
   EXPECT_EQ(window(picture().surface({{0, 1, 0x0F}, {3, 1, 7}}), 0, 1, 3, 1), (Rows{"7777"}));
 }
 
-TEST(SkalaTwinSurface, LevelsGoDownTheColumn) {
+TEST(SkalaTwinSurface, LevelsChangeDownTheColumn) {
   // N = 5, D = 5: one level a row.
   auto bytes = picture().surface({{0, 1, 2}, {1, 1, 2}}).commit();
   EXPECT_EQ(window(bytes.surface({{0, 6, 7}, {1, 6, 7}}).commit(), 0, 1, 1, 6),
@@ -264,7 +264,7 @@ TEST(SkalaTwinContours, TheSurfaceFoldsWhereItStaysInsideAfterARise) {
   EXPECT_EQ(window(margins({9, 5, 7}), 4, 5, 4, 9), (Rows{".", ".", ".", ".", "3"}));
 }
 
-TEST(SkalaTwinContours, SilhouettesAreOffUntilAsked) {
+TEST(SkalaTwinContours, SilhouettesAreOffByDefault) {
   auto bytes = picture();
   for (const int y : {5, 9, 6}) bytes.move(4, y).mask(4, y).commit();
   EXPECT_EQ(lit_dots(bytes.end().run().raster(Device::ef9365)), 0U);
