@@ -1,5 +1,4 @@
-// Accuracy against time: what pictures are compared with, and what the measures give on pictures whose error is
-// known.
+// Accuracy against time: the references of pictures, and the measures on pictures with a known error.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -95,7 +94,7 @@ class JonesAccuracy : public testing::Test {
   static inline std::unique_ptr<SceneViews> house;
 };
 
-// Per cent of the visible length: half with each fraction bit, and about twice as much truncated.
+// Per cent of the visible length: it halves with each fraction bit, and is about twice as large when truncated.
 TEST_F(JonesAccuracy, TheHouseHasItsKnownError) {
   EXPECT_NEAR(measure_twin(*house, fixed(0)).symmetric_per_cent(), 0.23, 0.04);
   EXPECT_NEAR(measure_twin(*house, fixed(1)).symmetric_per_cent(), 0.11, 0.04);
@@ -103,7 +102,7 @@ TEST_F(JonesAccuracy, TheHouseHasItsKnownError) {
   EXPECT_NEAR(measure_twin(*house, fixed(0, true)).symmetric_per_cent(), 0.41, 0.04);
 }
 
-// By another measure of the same pictures: line by line instead of by number of the line.
+// By another measure of the same pictures: by line instead of by line number.
 TEST_F(JonesAccuracy, TheStudyOfArithmeticMeasuresTheSame) {
   const auto scene = house->scene();
   const auto study = compare::jones_precision::PrecisionStudy::of(scene, compare::jones_precision::six_views[0].eyes);

@@ -1,4 +1,4 @@
-// Results of the cross-check: a cell for every pair, failures by name, and every picture there is.
+// Results of the cross-check: a cell for every pair, failures by name, and all pictures.
 #include <gtest/gtest.h>
 
 #include "host/report/experiments/cross_check.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view first_pair = "exact and jones";
 
-// Two scenes, of which the second has one cell that differs and one that was not run.
+// Two scenes; the second has one cell that differs and one that was not run.
 const CrossCheck& two_scenes() {
   static const CrossCheck made = [] {
     CrossCheck checked;

@@ -1,4 +1,4 @@
-// Montani and Re's stripes: the measures know a rectangle, and errors fall with the thickness.
+// Montani and Re's stripes: the measures of a rectangle, and errors that decrease with the thickness.
 #include "host/report/experiments/montani_re_stripes.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(MontaniReStripes, TheBoundaryOfARectangleIsItsSides) {
 }
 
 TEST(MontaniReStripes, ErrorFallsWithThicknessAndIsZeroForTheExactBuild) {
-  // Nothing in it is lower than half a stripe: that would be lost.
+  // Nothing in it is lower than half a stripe, which would be lost.
   const auto measured = measure_stripes({.scenes = {"boxes"}, .scene_size = 8, .raster = 128, .rounds = 0}, {});
   const std::vector<StripesPicture>& pictures = measured.pictures;
   ASSERT_EQ(pictures.size(), stripe_units.size() + 1);

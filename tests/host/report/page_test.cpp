@@ -1,4 +1,4 @@
-// What chapters are written with: rows that are chosen and summed, tables, claims, plots, and papers.json.
+// The functions that write chapters: selected and summed rows, tables, claims, plots, and papers.json.
 #include "host/report/page.hpp"
 
 #include <gtest/gtest.h>
@@ -145,7 +145,7 @@ TEST(ReportClaims, ThatFailAreReported) {
   const Said failed = "All. " + Page::claim(false, "It holds.", "3 of 4") + Page::claim(false, "So does this.");
   EXPECT_EQ(failed.text, "All. ");
   EXPECT_EQ(failed.failed, (std::vector<std::string>{"\"It holds.\"; here 3 of 4", "\"So does this.\""}));
-  // In the page it stands out.
+  // The page highlights it.
   const Report report{"R", "1", {}, {{"s", "S", {Paragraph{failed}}}}};
   EXPECT_NE(html_page(report).find("<p class=\"bad\">Not in this run: &quot;It holds.&quot;; here 3 of 4</p>"),
             std::string::npos);
@@ -167,7 +167,7 @@ TEST(ReportPlots, HaveACurveForEachName) {
 
 TEST(ReportPlots, OfFewerThanThreePointsAreOmitted) {
   Plot plot;
-  // A negative place cannot be drawn on a logarithmic axis, and equal points are one.
+  // A logarithmic axis cannot show a negative position, and equal points are merged.
   plot.curves = {{"a", {{1, 1}, {2, 2}, {2, 2}, {-1, 3}}}};
   Page page(true, papers());
   Panel panel;

@@ -1,4 +1,4 @@
-// Plantinga, Seales and Dyer in the report: lists kept between reports.
+// Plantinga, Seales and Dyer in the report: lists cached between reports.
 #include <gtest/gtest.h>
 #include <stdlib.h>
 

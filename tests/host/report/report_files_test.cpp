@@ -1,4 +1,4 @@
-// A report on disk: what appears, and what is left when it cannot.
+// A report on disk: its files, and the files that remain after a failure.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -61,7 +61,7 @@ TEST_F(ReportFiles, AFileInTheWayIsAnErrorThatNamesIt) {
 }
 
 TEST_F(ReportFiles, NothingRemainsIfOneCannotBeWritten) {
-  // A directory where the page should be, and one where a table should be.
+  // Folders where the page should be and where a table should be.
   files::create_directories(folder_ / "a" / "index.html");
   files::create_directories(folder_ / "b" / "tables" / "sample.json");
   const auto before = found();

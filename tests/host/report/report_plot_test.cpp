@@ -1,4 +1,4 @@
-// Plots: what gnuplot is told, and that it draws it.
+// Plots: the scripts for gnuplot, and that it draws them.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -35,7 +35,7 @@ TEST(ReportPlot, OmitsPointsThatALogarithmicAxisCannotShow) {
   EXPECT_EQ(script.find("plot $curve1"), std::string::npos);
 }
 
-// What a curve is drawn with, its colour left out.
+// The style of a curve without its colour.
 std::string marks_of_curve(const std::string& script, std::size_t curve) {
   const std::string command = "$curve" + std::to_string(curve) + " using 1:2 with ";
   const std::size_t from = script.find(command) + command.size();
@@ -81,7 +81,7 @@ TEST(ReportPlot, IsDrawnTheSameTwiceAndRunsNothingElse) {
   EXPECT_NE(svg.find("</svg>"), std::string::npos);
 }
 
-// The renderer leaves such plots out; a defect there must not give an empty picture.
+// The renderer omits such plots; a defect there must not give an empty picture.
 TEST(ReportPlot, WithoutAPointIsAnError) {
   Plot plot = sample_plot();
   plot.curves.erase(plot.curves.begin());

@@ -11,7 +11,7 @@
 namespace sightline::report {
 namespace {
 
-// A reader of RFC 4180, from its grammar: records of fields; refuses what the grammar has no place for.
+// A reader of RFC 4180, by its grammar: records of fields; rejects text outside the grammar.
 std::vector<std::vector<std::string>> read_csv(const std::string& text) {
   std::vector<std::vector<std::string>> records(1, {""});
   for (std::size_t at = 0; at < text.size(); ++at) {
@@ -79,7 +79,7 @@ TEST(ReportCells, AreShownForPeople) {
 TEST(ReportPage, EscapesAllTexts) {
   EXPECT_EQ(html_escaped("<a href=\"x\">&'"), "&lt;a href=&quot;x&quot;&gt;&amp;&#39;");
   EXPECT_EQ(html_escaped("caf\u00e9 \u2013 \U0001F600"), "caf\u00e9 \u2013 \U0001F600");
-  // A lone byte, an overlong slash, a surrogate, a cut character, a control.
+  // A lone byte, an overlong slash, a surrogate, a truncated character, a control character.
   EXPECT_EQ(html_escaped("\xff"), "\uFFFD");
   EXPECT_EQ(html_escaped("\xc0\xaf"), "\uFFFD\uFFFD");
   EXPECT_EQ(html_escaped("\xed\xa0\x80"), "\uFFFD\uFFFD\uFFFD");
@@ -140,7 +140,7 @@ TEST(ReportPage, KeepsHeadingsAndRowNamesVisible) {
   EXPECT_NE(page.find("<details class=\"chapter\" id=\"chapter\"><summary><h3>A heading</h3></summary>"), std::string::npos);
 }
 
-// Cards stand in the page without a filter's choice; a choice hides those of other tables, by style alone.
+// Without a filter all cards are shown; a filter hides those of other tables, by style alone.
 TEST(ReportPage, ShowsRowsAsCardsWithFilters) {
   const std::string page = html_page(sample_report());
   EXPECT_NE(page.find("<article class=\"card right\">\n<h4>A</h4>"), std::string::npos);

@@ -1,4 +1,4 @@
-// The checker: the five scenes are possible; each way of being impossible is named by its number.
+// The checker: the five scenes are valid; each kind of error is named by its number.
 #include "host/scene/check/cell_scene.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Every kind of damage to a scene of polyhedra is found and named; scenes without damage are accepted.
+// Every kind of error in a scene of polyhedra is found and named; scenes without errors are accepted.
 #include "host/scene/check/poly_scene.hpp"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,7 @@
 namespace sightline::scene {
 namespace {
 
-// A cube of 10, low corner at the origin, and a square sheet of 20 with a square hole at z = 50, holes
-// clockwise.
+// A cube of 10, low corner at the origin, and a square sheet of 20 with a clockwise square hole at z = 50.
 PolyScene cube_and_sheet() {
   PolyBuilder builder;
   builder.add_box("cube", {0, 0, 0}, {10, 10, 10});
@@ -215,7 +214,7 @@ TEST(CheckPolyScene, ACavityFacesInwards) {
   EXPECT_NE(problems(scene).find("face 6: is part of a surface turned inside out"), std::string::npos);
 }
 
-// A comb of so many teeth that each edge is beside every other one.
+// A comb with so many teeth that each edge is next to every other one.
 TEST(CheckPolyScene, TooManyAdjacentEdgesAreAnError) {
   const auto comb = [](std::int32_t teeth) {
     PolyScene scene;

@@ -1,4 +1,4 @@
-// Rooms with doors: counts by hand, and that they are possible scenes.
+// Rooms with doors: counts computed by hand, and that they are valid scenes.
 #include "host/scene/generate/open_rooms.hpp"
 
 #include <gtest/gtest.h>
@@ -10,8 +10,9 @@
 namespace sightline::scene {
 namespace {
 
-// Four rooms have four walls between them. Five doors: one wall has two, the others one. A wall with n doors
-// is a lintel and n + 1 piers.
+// Four rooms have four walls between them. Of five doors one wall has two, the others one each. A wall with n doors is a lintel
+// and n + 1
+// piers.
 TEST(OpenRooms, FiveDoorsInFourWalls) {
   ASSERT_EQ(walls_between_rooms(2), 4U);
   const CellScene scene = generate_open_rooms(2, 5, 7);
@@ -26,7 +27,7 @@ TEST(OpenRooms, FiveDoorsInFourWalls) {
   }
 }
 
-// Two doors: their middles at a quarter and three quarters of 400.
+// Two doors: their middles are at a quarter and three quarters of 400.
 TEST(OpenRooms, DoorsAreEvenlySpaced) {
   const CellScene scene = generate_open_rooms(2, 8);
   const auto& first = scene.openings.at(0).place;

@@ -1,4 +1,4 @@
-// Generated scenes against their published counts, and against coordinates worked out with another program.
+// Generated scenes compared with their published counts, and with coordinates from another program.
 #include "host/scene/generate/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -117,7 +117,7 @@ TEST(GenerateScene, CamerasAreOrthogonal) {
   }
 }
 
-// The largest size keeps within the coordinate limit; tried where that is cheap.
+// The largest size is within the coordinate limit; tested where that is cheap.
 TEST(GenerateScene, TheLargestSizeFits) {
   NEEDS_OPTIMISED_CODE();
   for (const std::string_view family : {"rooms", "town", "prisms"}) {

@@ -1,4 +1,4 @@
-// Expressions of x and z: what they mean, and errors that point at their place.
+// Expressions of x and z: their values, and errors with positions.
 #include "host/scene/heights/expression.hpp"
 
 #include <gtest/gtest.h>
@@ -87,7 +87,7 @@ TEST(SampleExpression, ErrorsHaveAPosition) {
   EXPECT_EQ(error_of("max(x,z), z").place, "9");
 }
 
-// The parser counts from 0 and says so in the middle of its sentences.
+// The parser counts from 0 and states that within its sentences.
 TEST(SampleExpression, OnePositionIsReported) {
   for (const char* wrong : {"x + w", "x + ", "(x + z", "x z", "x + * z", "x,z", "sin(x,z)", "x : z", "\"x",
                             "sin()", ")", "max()", "(x,z)", "x ? z"}) {
@@ -120,7 +120,7 @@ TEST(SampleExpression, NowhereFinite) {
   const base::Error error = error_of("log(-1 - x*x)");
   EXPECT_NE(error.message(base::MessageStyle::position).find("nowhere finite"), std::string::npos);
   error_of("0/0");
-  // Nothing of the 65 x 65 points of the range, but a point of the grid.
+  // None of the 65 x 65 points of the range, but a point of the grid.
   EXPECT_EQ(grid_of("x + 1 > 0.33 && x + 1 < 0.34 && z == -2 ? 5 : 0/0", {-2, 2}, {7, 2}).range,
             (Interval{5, 5}));
 }

@@ -1,4 +1,4 @@
-// Cells as a file: what is written is read again, and every kind of damage is named.
+// Cells as a file: a written file is read again, and every kind of error is named.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -54,14 +54,14 @@ TEST(CellComplexFile, OtherTextIsNotACellComplex) {
   EXPECT_TRUE(is_cell_complex(" {\n \"schema\": \"sightline/cell-complex/1\"}"));
 }
 
-// One change to a good file each, and what is said of it.
+// One change to a valid file each, and the resulting error.
 TEST(CellComplexFile, NamesTheErrors) {
   const PolyScene scene = poly_scene_of(builtin_scene("roberts"));
   const json good = json::parse(file_of(scene));
   ASSERT_EQ(error_of(good.dump()), "");
   struct Damage {
     const char* place;  // JSON pointer
-    json value;         // null as a whole: the field is taken away
+    json value;         // null as a whole: the field is removed
     const char* said;
   };
   const std::vector<Damage> damages{
@@ -104,7 +104,7 @@ TEST(CellComplexFile, NamesTheErrors) {
   }
 }
 
-// Deeper than the stack would hold if a reader went down with it.
+// Deeper than the stack of a recursive reader.
 TEST(CellComplexFile, NestingOfAnyDepthIsAnError) {
   std::string text = file_of(generate_boxes(2));
   const std::size_t at = text.find("\"polyhedra\"");
@@ -118,7 +118,7 @@ TEST(CellComplexFile, NestingOfAnyDepthIsAnError) {
 TEST(CellComplexFile, ARemovedCellIsAnError) {
   const PolyScene scene = poly_scene_of(builtin_scene("roberts"));
   json file = json::parse(file_of(scene));
-  // The last cell and all its openings: the rest is in order, but does not fill the outer box.
+  // Without the last cell and all its openings the rest is valid, but does not fill the outer box.
   const std::size_t last = file["cells"].size() - 1;
   std::vector<std::size_t> number(file["openings"].size());
   json openings = json::array();

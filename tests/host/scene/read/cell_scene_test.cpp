@@ -1,4 +1,4 @@
-// The JSON reader: the built-in scenes, and every kind of damage named by file, place and cause.
+// The JSON reader: the built-in scenes, and every kind of error with file, position and cause.
 #include "host/scene/read/cell_scene.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(Builtin, EmbeddedTextIsTheFile) {
   }
 }
 
-// Numbers of section "Scenes" of the specification: the house of Fig. 2.
+// Numbers from section "Scenes" of the specification: the house of Fig. 2.
 TEST(ReadCellScene, ReadsTheHouse) {
   const CellScene house = builtin_scene("house");
   EXPECT_EQ(house.name, "house");
@@ -54,7 +54,7 @@ TEST(ReadCellScene, ReadsTheHouse) {
 
 struct Damage {
   const char* name;
-  const char* pointer;  // JSON pointer to what is replaced
+  const char* pointer;  // JSON pointer to the replaced value
   const char* value;    // by this JSON; empty: erased
   const char* place;
   const char* cause;
@@ -149,7 +149,7 @@ TEST(LoadCellScene, ChecksTheFile) {
   EXPECT_EQ(result.error().file, file.string());
 }
 
-// Bytes changed, removed and doubled at random: an error or a scene that can be checked, nothing else.
+// Bytes changed, removed and doubled at random: always an error or a scene that can be checked.
 TEST(ReadCellScene, SurvivesRandomDamage) {
   std::mt19937 random(1971);
   for (int round = 0; round < tests::effort(3000, 300); ++round) {

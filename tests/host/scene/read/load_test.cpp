@@ -1,4 +1,4 @@
-// A scene as a user names it: what a name stands for, which kind a text is, and what is said of a bad one.
+// A scene as a user names it: the meaning of a name, the kind of a text, and the errors.
 #include "host/scene/read/load.hpp"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ TEST(LoadScene, AFileHasPrecedenceOverAGeneratedScene) {
   std::filesystem::remove_all(folder);
 }
 
-// Generated scenes, which are not checked when they are loaded, are what their files say.
+// Generated scenes, which are not checked when they are loaded, equal their files.
 TEST(LoadScene, AGeneratedSceneIsTheSceneOfItsFile) {
   for (const std::string_view family : generator_names()) {
     SCOPED_TRACE(family);
