@@ -1,11 +1,12 @@
 # sightline_tests(NAME name LIBRARIES target ... [FAST a.cpp ...] [SLOW b.cpp ...] [RELEASE_ONLY c.cpp ...] [AS_ONE] [RUNS program])
-#   One call per folder makes one test program per label: NAME_test, NAME_slow_test and NAME_release_test. Every GoogleTest case
-#   becomes one ctest entry with the label `fast`, `slow` or `release_only`.
+# One call per folder makes one test program per label: NAME_test, NAME_slow_test and NAME_release_test. Every GoogleTest case
+# becomes
+# one ctest entry with the label `fast`, `slow` or `release_only`.
 #   SIGHTLINE_TEST_DATA  is defined as the absolute path of tests/data
 #   SIGHTLINE_SOURCE_DIR is defined as the root of the repository
-#   RUNS: the tests start that program; it is built before they run.
-#   RELEASE_ONLY: tests that need optimised code to end in a few seconds; they are not built with sanitizers.
-#   AS_ONE: the program runs once for all its tests, because they share what takes long to prepare.
+#   RUNS: the tests run that program; it is built before them.
+#   RELEASE_ONLY: tests that take more than a few seconds without optimisation; they are not built with sanitizers.
+#   AS_ONE: the program runs once for all its tests, because they share a costly preparation.
 function(sightline_tests)
   cmake_parse_arguments(ARG "AS_ONE" "NAME;RUNS" "FAST;SLOW;RELEASE_ONLY;LIBRARIES" ${ARGN})
   if(ARG_UNPARSED_ARGUMENTS)
@@ -33,8 +34,9 @@ function(sightline_test_program program label sources)
     add_test(NAME ${program} COMMAND ${program})
     set_tests_properties(${program} PROPERTIES LABELS ${label} TIMEOUT 900)
   elseif(SIGHTLINE_SANITIZE)
-    # With checks in every line a program takes long to begin: four runs share its tests. Those that run the command take
-    # longest; they begin first, so that none of them is alone at the end.
+    # With sanitizers a program starts slowly: four runs share its tests. Those that run the command take longest and start first,
+    # so that
+    # none of them is alone at the end.
     if(ARG_RUNS)
       set(cost 60)
     else()

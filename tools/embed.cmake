@@ -1,13 +1,13 @@
-# Files of the source tree as data inside a library.
+# Embeds files of the source tree as data in a library.
 #
 # sightline_embed(TARGET t NAMESPACE sightline::x FUNCTION f FILES a.json b.json ...)
 #   adds to target t the definition of
 #     std::span<const std::pair<std::string_view, std::string_view>> sightline::x::f()
-#   one (file name without folder, contents) pair a file, in the order given, valid for the whole run. The caller
-#   declares the function in a header of its own. A changed file is embedded again by the next build.
+#   one (file name without folder, contents) pair per file, in the given order, valid for the whole run. The caller
+#   declares the function in a header. The next build embeds changed files again.
 #
-# The same file, run as a script (cmake -P), writes that definition. Bytes are written as an array, not as a string
-# literal, because compilers may refuse literals beyond 65,536 characters.
+# Run as a script (cmake -P), this file writes that definition. Bytes are written as an array, not as a string literal, because
+# compilers may reject literals beyond 65,536 characters.
 if(CMAKE_SCRIPT_MODE_FILE AND EMBED_OUTPUT)
   set(arrays "")
   set(entries "")
@@ -62,7 +62,8 @@ function(sightline_embed)
             "-DEMBED_FUNCTION=${ARG_FUNCTION}" "-DEMBED_FILES=${inputs}" -P "${SIGHTLINE_EMBED_SCRIPT}"
     DEPENDS ${inputs} "${SIGHTLINE_EMBED_SCRIPT}"
     COMMENT "Embedding files as ${ARG_NAMESPACE}::${ARG_FUNCTION}" VERBATIM)
-  # In a library of its own: a generated source waits for all libraries that its target links, and each target that links this one waits for the source.
+  # A separate library: a generated source waits for all libraries that its target links, and each target that links this one
+  # waits for the source.
   add_library(${ARG_TARGET}_${ARG_FUNCTION} OBJECT "${output}")
   target_sources(${ARG_TARGET} PRIVATE $<TARGET_OBJECTS:${ARG_TARGET}_${ARG_FUNCTION}>)
 endfunction()

@@ -1,16 +1,17 @@
-# Libraries and who may include whom: one list of dependencies for both.
+# Defines libraries and who may include whom, from one list of dependencies.
 #
 # sightline_library(TARGET SOURCES a.cpp ... [DEPENDS target ...] [MAY_INCLUDE header ...])
-#   makes the static library TARGET of the current folder and of its subfolders that have no library of their own.
-# sightline_depends(TARGET ...the same without SOURCES) links an existing target in the same way.
+#   makes the static library TARGET of the current folder and of its subfolders without a library.
+# sightline_depends(TARGET ...) takes the same arguments without SOURCES, for an existing target.
 #
 #   DEPENDS      targets that TARGET links. Sources of the folder may include the headers in the folders of these targets, not of
 #                the targets that those link in turn.
 #   MAY_INCLUDE  single headers, by their paths from the root of the repository. Where DEPENDS names the target of such a header,
 #                the header is all that may be included of its folder; elsewhere it is a header that needs no linking.
 #
-# sightline_write_include_rules(FILE), called when all targets exist, writes what each folder may include: a line
-# FOLDER=ALLOWED,... each, where ALLOWED is a folder or a header. tests/layering/check_includes.cmake compares the include lines with it.
+# sightline_write_include_rules(FILE), called when all targets exist, writes what each folder may include: one line
+# FOLDER=ALLOWED,...
+# per folder, where ALLOWED is a folder or a header. tests/layering/check_includes.cmake compares the include lines with it.
 function(sightline_library TARGET)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;MAY_INCLUDE" ${ARGN})
   if(ARG_UNPARSED_ARGUMENTS)
@@ -28,7 +29,7 @@ function(sightline_depends TARGET)
   set_property(GLOBAL APPEND PROPERTY SIGHTLINE_TARGETS ${TARGET})
 endfunction()
 
-# The folder whose headers belong to a target, from the root of the repository; empty for targets of other projects.
+# The folder whose headers belong to a target, relative to the root of the repository; empty for targets of other projects.
 function(sightline_folder_of TARGET RESULT)
   set(folder "")
   if(TARGET ${TARGET})
@@ -37,7 +38,7 @@ function(sightline_folder_of TARGET RESULT)
     if(NOT imported)
       cmake_path(RELATIVE_PATH directory BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE folder)
     endif()
-    # That package makes all its targets in one CMakeLists.txt.
+    # That package defines all its targets in one CMakeLists.txt.
     if(folder STREQUAL "emulators")
       get_target_property(name ${TARGET} EXPORT_NAME)
       string(APPEND folder "/${name}")

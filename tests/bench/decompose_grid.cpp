@@ -19,7 +19,7 @@ void boxes(benchmark::State& state) {
   cut(state, scene::generate_boxes(static_cast<std::size_t>(state.range(0))));
 }
 
-// Rooms on a side.
+// Size: rooms per side.
 void building(benchmark::State& state) {
   cut(state, scene::generate_big_rooms(static_cast<std::size_t>(state.range(0))));
 }

@@ -1,5 +1,5 @@
-// Exact hidden-line views of the random boxes, without and with laying the scene out; and what the oracle
-// needs for the same view, which is what being fast is worth.
+// Exact hidden-line views of the random boxes, with and without preparing the scene, and the oracle's view of the same scene
+// as the slow baseline.
 #include <benchmark/benchmark.h>
 
 #include <cstddef>

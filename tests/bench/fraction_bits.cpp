@@ -1,10 +1,10 @@
-// What fraction bits of Jones's program buy on the screen, from many random places of each scene: the length that the
-// Type 340's own vectors, between whole points, show wrongly, as a share of the visible length.
+// The effect of the fraction bits of Jones's program on the screen, from many random positions in each scene: the length that
+// the Type 340's vectors, between whole points, draw wrongly, as a share of the visible length.
 //
-//   sightline_fraction_bits [VIEWS]      (1,000 views a scene unless told; several minutes)
+//   sightline_fraction_bits [VIEWS]      (default: 1,000 views per scene; several minutes)
 //
-// Mean over the views, and its differences from 0 bits view by view with their standard errors: the default of
-// `sightline jones --fraction` is the cheapest number of bits that is not worse by more than these.
+// Prints the mean over the views and its paired differences from 0 bits with their standard errors. The default of
+// `sightline jones --fraction` is the smallest number of bits that is not worse within these errors.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -30,12 +30,12 @@ using Shares = std::array<double, most_bits + 1>;  // per cent, by fraction bits
 
 struct Views {
   std::vector<Shares> display;   // by view
-  std::vector<Shares> numbers;   // of the pieces as they left the clip
+  std::vector<Shares> numbers;   // of the pieces after clipping
   std::array<int, most_bits + 1> named{};
-  int left_out = 0;              // eyes that the program refuses, and views that do not fit
+  int left_out = 0;              // eyes that the program rejects, and views that do not fit
 };
 
-// False if a build cannot complete the view, or no line is visible.
+// False if some number of fraction bits cannot complete the view, or no line is visible.
 bool measure(const scene::CellScene& scene, const geometry::Point& eye, Views& views) {
   const auto study = jones_precision::PrecisionStudy::of(scene, std::array<geometry::Point, 1>{eye});
   if (!study) return false;

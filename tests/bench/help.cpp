@@ -1,4 +1,4 @@
-// The processor time that `sightline` takes from its start to its end for help: what a user waits for who asks for it.
+// The processor time of a complete run of `sightline` for help: how long a user waits for it.
 #include <benchmark/benchmark.h>
 #include <fcntl.h>
 #include <spawn.h>
@@ -17,7 +17,7 @@ double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-// User and system time of one run of the command, its output thrown away; an error of the benchmark if it fails.
+// User and system time of one run of the command without its output; reports an error to the benchmark if the run fails.
 void help(benchmark::State& state, const std::string& arguments) {
   std::vector<std::string> words{SIGHTLINE_COMMAND};
   std::istringstream rest(arguments);

@@ -1,7 +1,6 @@
-// Emulated T-states of the 8080 (the items) a second, on an ordinary mix: the checksum of a page, then a line walked
-// over a mask of bytes with a call for each point that is above it, then a port asked and told. With a timer that
-// interrupts fifty times a second of the emulated machine and is answered with RST 7; and with the raster board attached,
-// its interrupt connected and INTE on.
+// Emulated T-states of the 8080 (the items) per second on an ordinary mix: the checksum of a page, then a line drawn over a
+// mask of bytes with a call for each point above it, then port input and output. Also with a timer that interrupts fifty times
+// per emulated second and is serviced by RST 7, and with the raster board attached, its interrupt connected and INTE on.
 #include <benchmark/benchmark.h>
 
 #include <array>

@@ -1,6 +1,5 @@
-// Jones's program on the emulated machine: two views of a scene, from START on, with the EAE and the display;
-// and, by itself, the assembly of the program with the scene. Items are PDP-7 instructions, for the assembly
-// words of core.
+// Jones's program on the emulated machine: two views of a scene, from START on, with the EAE and the display; separately, the
+// assembly of the program with the scene. Items are PDP-7 instructions, or words of core for the assembly.
 #include <benchmark/benchmark.h>
 
 #include <string>
@@ -16,7 +15,7 @@ namespace {
 
 namespace jones = programs::jones;
 
-// nullptr after reporting why to the benchmark.
+// Returns nullptr after reporting the error to the benchmark.
 template <class Good, class Result>
 const Good* good(benchmark::State& state, const Result& result) {
   if (result) return &*result;

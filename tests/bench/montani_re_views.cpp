@@ -1,6 +1,6 @@
-// Montani and Re's algorithm: a view in object space (exact), in stripes of a pixel on a raster of 1024, and
-// by `exact`, of boxes and of towns of 100, 1000 and 10000, interleaved in one run; how each grows with the
-// number of faces, beside the paper's claim, N Y. Y is the number of faces that a face overlaps in X.
+// Montani and Re's algorithm: a view in object space (exact), in stripes of a pixel on a raster of 1024, and by `exact`, of
+// boxes and of towns of 100, 1000 and 10000 faces, interleaved in one run; and their growth with the number of faces, compared
+// with the paper's claim, N Y. Y is the number of faces that a face overlaps in X.
 #include <benchmark/benchmark.h>
 #include <fmt/core.h>
 
@@ -15,7 +15,7 @@
 namespace sightline {
 namespace {
 
-// One view after the other, of the exact build alone.
+// Repeated views by the exact algorithm alone.
 void exact_view(benchmark::State& state) {
   const auto size = static_cast<std::size_t>(state.range(1));
   const scene::PolyScene scene =

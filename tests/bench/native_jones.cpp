@@ -1,5 +1,5 @@
-// Native Jones: views of a street and of random boxes, in open space, where every cell sees most others; with
-// what the search did.
+// Native Jones: views of a street and of random boxes in open space, where every cell sees most others, with the search
+// statistics.
 #include <benchmark/benchmark.h>
 
 #include <cstddef>
@@ -20,7 +20,7 @@ using algorithms::jones::PreparedComplex;
 using algorithms::jones::View;
 using algorithms::jones::Walker;
 
-// A thousand boxes are beyond the grid.
+// A thousand boxes are too many for the grid.
 scene::CellComplex complex_of(const scene::PolyScene& scene) {
   auto complex = scene::decompose_grid(scene);
   if (!complex.has_value()) complex = scene::decompose_bsp(scene);
@@ -47,15 +47,15 @@ void street(benchmark::State& state) {
 void boxes(benchmark::State& state) {
   look_at(state, scene::generate_boxes(static_cast<std::size_t>(state.range(0))));
 }
-// From within the room in the corner: what is not seen grows. So do, as the rooms have no ceilings, the lines
-// on the few cells above them, which are seen.
+// From within the corner room: the hidden part grows. The visible lines on the few cells above the rooms, which have no
+// ceilings, grow as well.
 void rooms(benchmark::State& state) {
   scene::PolyScene scene = scene::generate_big_rooms(static_cast<std::size_t>(state.range(0)));
   scene.camera.eye = {90, 110, 70};
   look_at(state, scene);
 }
 
-// The same view from a closed house, beside a building of so many rooms a side.
+// The same view from a closed house next to a building of `size` rooms per side.
 void house(benchmark::State& state) {
   look_at(state, scene::generate_house_beside(static_cast<std::size_t>(state.range(0))));
 }

@@ -1,5 +1,5 @@
-// Emulated PDP-7 instructions (the items) a second, time kept, on the loop LAC, TAD, DAC, ISZ, JMP: with a Type 340
-// attached and idle, and while it refreshes a picture that nobody looks at.
+// Emulated PDP-7 instructions (the items) per second with exact timing, in the loop LAC, TAD, DAC, ISZ, JMP: with an idle
+// Type 340, and while it refreshes a picture without observer.
 #include <benchmark/benchmark.h>
 
 #include <array>

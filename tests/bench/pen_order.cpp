@@ -1,4 +1,4 @@
-// The order of a pen: short lines all over a sheet.
+// The pen order of short lines all over a sheet.
 #include "host/picture/pen_order.hpp"
 
 #include <benchmark/benchmark.h>

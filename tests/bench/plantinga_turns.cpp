@@ -1,5 +1,5 @@
-// Plantinga, Seales and Dyer's rotation of the six models: preprocessing on all cores and on one, an on-line
-// frame beside a frame of the wire frame, positions alone and drawn as pixels, events stepped over a second.
+// Plantinga, Seales and Dyer's rotation of the six models: preprocessing on all cores and on one, an on-line frame compared with
+// a wire frame, as positions alone and drawn as pixels, and events per second.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -63,7 +63,7 @@ void preprocessing(benchmark::State& state) {
   state.counters["bytes_a_change"] = row.kilobytes * 1024 / static_cast<double>(row.events);
 }
 
-// Lines as the cheapest display would draw them: one pixel a step of the longer side, 1024 across.
+// Draws lines as the cheapest display would: one pixel per step of the longer axis, 1024 across.
 std::size_t draw(const std::vector<native::ImageLine>& lines, double scale,
                  std::vector<std::uint8_t>& pixels) {
   std::size_t lit = 0;

@@ -1,6 +1,6 @@
-// PLplot's plot3d on the same grid as `skala_native/lines_both`, with both families of lines, into its null device: what finding
-// the hidden lines of a surface costs there. Only where PLplot is installed (Debian: libplplot-dev). CPU time of the whole call;
-// ours is that of draw(): projecting, comparing, and the drawing in memory.
+// PLplot's plot3d on the grid of `skala_native/lines_both`, with both families of lines, into its null device: the cost of
+// hidden lines of a surface there. Built only where PLplot is installed (Debian: libplplot-dev). CPU time of the whole call,
+// compared with draw(): projection, comparison and the drawing in memory.
 #include <benchmark/benchmark.h>
 #include <plplot.h>
 
@@ -25,7 +25,7 @@ class NullDevice {
 
 void plot3d_both(benchmark::State& state) {
   const scene::HeightGrid grid = sample(*scene::height_function("sinc"), scene::largest_grid);
-  // By x first.
+  // Indexed by x first.
   std::vector<std::vector<PLFLT>> heights(grid.points(), std::vector<PLFLT>(grid.slices()));
   std::vector<const PLFLT*> rows;
   for (std::size_t x = 0; x < grid.points(); ++x) {

@@ -1,4 +1,4 @@
-// Skala's method, native, on the largest grid: what finding the visible parts costs, and the SVG with it.
+// Skala's method, native, on the largest grid: the cost of finding the visible parts, and of writing the SVG as well.
 // Items are points of the grid.
 #include <benchmark/benchmark.h>
 
@@ -27,7 +27,7 @@ void count(benchmark::State& state, const scene::HeightGrid& grid) {
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * grid.heights.size()));
 }
 
-// The part of `lines` before anything is tested.
+// The part of `lines` before any visibility test.
 void projection(benchmark::State& state) {
   const scene::HeightGrid grid = sinc();
   for (auto _ : state) {

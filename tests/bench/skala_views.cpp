@@ -1,6 +1,6 @@
-// Skala's program on the emulated 8080: whole runs, from reset over the receipt of the commands to the halt,
-// on the raster board and on a plotter; by themselves, the assembly of the program, the host computer's work
-// and the native twin's. Items are T-states, where there are any.
+// Skala's program on the emulated 8080: whole runs, from reset through the receipt of the commands to the halt, on the raster
+// board and on a plotter; separately, the assembly of the program, the host computer's work and the native twin. Items are
+// T-states where there are any.
 #include <benchmark/benchmark.h>
 
 #include <string>

@@ -1,5 +1,5 @@
-// Saving and restoring a whole machine: 1 ms is the limit for a PDP-7 of 8K words and for an 8080 with a
-// raster board, so that a monitor can keep snapshots while a program runs.
+// Saving and restoring a whole machine: the limit is 1 ms for a PDP-7 of 8K words and for an 8080 with a raster board, so that
+// a monitor can take snapshots while a program runs.
 #include <benchmark/benchmark.h>
 
 #include <memory>

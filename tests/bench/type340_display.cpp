@@ -1,6 +1,6 @@
-// Host time of the Type 340 by itself, from deadline to deadline as a machine drives it: a line drawing of sixteen
-// separate vectors (point Y, point X, vector), when nobody wants the flashes (items
-// are display words) and with a taker of every flash (items are strokes).
+// Host time of the Type 340 alone, from deadline to deadline as a machine drives it: a line drawing of sixteen separate vectors
+// (point Y, point X, vector), without taker of the flashes (items are display words) and with a taker of every flash (items
+// are strokes).
 #include <benchmark/benchmark.h>
 
 #include <array>

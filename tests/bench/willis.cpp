@@ -1,4 +1,4 @@
-// Willis: models made, frames ordered, and what the priority display takes for a picture of 512 by 512.
+// Willis: building models, ordering frames, and the priority display's time for a picture of 512 by 512.
 #include <benchmark/benchmark.h>
 
 #include <cstddef>

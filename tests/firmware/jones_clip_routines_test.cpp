@@ -45,7 +45,7 @@ class JonesClipRoutines : public testing::TestWithParam<bool> {
   RoutineMachine machine{GetParam()};
   Dice dice{71};
 
-  // A convex polygon of at most this many corners between the limits; some of its sides along the axes.
+  // A convex polygon of at most `corners` corners between the limits; some of its sides are axis-parallel.
   Ring polygon(std::size_t corners, std::int32_t low, std::int32_t high) {
     for (;;) {
       const std::int32_t xlo = dice(low, high - 1), xhi = dice(xlo + 1, high);
@@ -80,7 +80,7 @@ class JonesClipRoutines : public testing::TestWithParam<bool> {
     return mask;
   }
 
-  // The polygon being made and its box.
+  // Deposits the current polygon and its box.
   void put_polygon(const Ring& ring) {
     machine.set("pcur", static_cast<std::int32_t>(machine.at("poly")) - 1);
     machine.set("palt", static_cast<std::int32_t>(machine.at("polq")) - 1);
@@ -109,7 +109,7 @@ class JonesClipRoutines : public testing::TestWithParam<bool> {
     machine.set("lbx", line.b.x);
     machine.set("lby", line.b.y);
   }
-  // The current sloped edge.
+  // Deposits the current sloped edge.
   void put_edge(ScreenPoint a, ScreenPoint b) {
     machine.set("neax", -a.x);
     machine.set("neay", -a.y);
@@ -132,7 +132,7 @@ class JonesClipRoutines : public testing::TestWithParam<bool> {
     ASSERT_EQ(left, *expected) << line.a.x << ',' << line.a.y << ' ' << line.b.x << ',' << line.b.y;
   }
 
-  // What tape 2 does with a ring: intersect, make it the mask, and reject it without area.
+  // Does with a ring what tape 2 does: intersects, makes the result the mask, and rejects one without area.
   Intersection intersect_on_machine(Ring ring, bool clockwise) {
     if (clockwise) std::reverse(ring.begin(), ring.end());
     put_polygon(ring);
@@ -164,7 +164,7 @@ class JonesClipRoutines : public testing::TestWithParam<bool> {
     return made;
   }
 
-  // Boxes that do not overlap are not asked about: the search rejects them before.
+  // Skips boxes that do not overlap: the search rejects them earlier.
   MaskOutcome expect_intersection(const Ring& around, const Ring& ring, bool clockwise) {
     Operations operations;
     const Mask mask = put_mask(around), whole = mask_of_ring(ring);
@@ -186,7 +186,7 @@ class JonesClipRoutines : public testing::TestWithParam<bool> {
   }
 };
 
-TEST_P(JonesClipRoutines, LinesAgainstMasks) {
+TEST_P(JonesClipRoutines, LinesAreClippedToMasks) {
   machine.halt_at_piece();
   for (int i = 0; i < rounds / 20; ++i) {
     const Ring ring = i == 0 ? Ring{{-1024, -1024}, {1022, -1024}, {1022, 1022}, {-1024, 1022}}
@@ -246,8 +246,7 @@ TEST_P(JonesClipRoutines, SideOfASlopedEdge) {
   EXPECT_GT(on_edge, 10);
 }
 
-// The ratio of the distances of A and B, with as many bits as fit; without the EAE products have seven bits
-// more.
+// The ratio of the distances of A and B, with as many bits as fit; without the EAE products have seven bits more.
 TEST_P(JonesClipRoutines, RatioOfDistancesFromASlopedEdge) {
   for (int i = 0; i < rounds; ++i) {
     const std::int32_t far = i % 3 == 0 ? 1000 : i % 3 == 1 ? 100 : 8;
@@ -265,7 +264,7 @@ TEST_P(JonesClipRoutines, RatioOfDistancesFromASlopedEdge) {
   }
 }
 
-TEST_P(JonesClipRoutines, OpeningsAgainstMasks) {
+TEST_P(JonesClipRoutines, OpeningsIntersectMasks) {
   int visible = 0, empty = 0;
   for (int i = 0; i < rounds; ++i) {
     const Ring around = polygon(i % 4 == 0 ? 14 : 6, i % 3 == 0 ? -60 : -1024, i % 3 == 0 ? 60 : 1022);
@@ -280,7 +279,7 @@ TEST_P(JonesClipRoutines, OpeningsAgainstMasks) {
   EXPECT_GT(empty, 100);
 }
 
-// A sixteen-sided opening of which the mask cuts corners off.
+// A sixteen-sided opening with corners cut off by the mask.
 TEST_P(JonesClipRoutines, TooManyVertices) {
   int too_many = 0, enough = 0;
   for (int i = 0; i < 200; ++i) {

@@ -1,5 +1,5 @@
-// What a person at the console has of Jones's program: the switches, lines added at once, a picture that is
-// nothing, and what becomes of a view that cannot be completed. Source: SPECIFICATION.md sections 5 and 6.
+// Jones's program at the console: the switches, lines added during a view, an empty picture, and views that cannot be
+// completed. Source: SPECIFICATION.md sections 5 and 6.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ struct Console {
 
 class JonesSwitches : public testing::Test {
  protected:
-  // The switches are up from just after half a second for `held` seconds; then what is summed up is applied.
+  // Sets the switches from just after half a second for `held` seconds; afterwards the program applies the accumulated motion.
   Console after(std::uint32_t switches, double held) {
     pdp7::Machine machine;
     EXPECT_EQ(machine.attach("display"), "");
@@ -95,8 +95,8 @@ TEST_F(JonesSwitches, TheEyeStaysInItsBox) {
   EXPECT_EQ(after(out, 5.0).eye.z, box.low[2]);
 }
 
-// Close to the far wall nothing may be seen at all; that must not keep the machine from going on.
-TEST_F(JonesSwitches, APictureOfNothingIsAPicture) {
+// Close to the far wall nothing may be visible; the program must continue all the same.
+TEST_F(JonesSwitches, AnEmptyPictureIsShown) {
   program = assembled(one_cell({200, 200, 50}, {{0, 0, 0}, {400, 400, 400}}, {}), true);
   ASSERT_EQ(twin_view(program).display_file.size(), 2U);
   const Console seen = after(0, 1.0);
@@ -108,7 +108,7 @@ TEST_F(JonesSwitches, APictureOfNothingIsAPicture) {
   EXPECT_TRUE(run.pass.empty());
 }
 
-// Follows the file on the screen after every store into one of the two files.
+// Checks the displayed file after every store into one of the two files.
 class FileWatch final : public pdp7::Observer {
  public:
   explicit FileWatch(const Program& program)
@@ -155,7 +155,7 @@ class FileWatch final : public pdp7::Observer {
   int runaways_ = 0;
 };
 
-// How many flashes each pass had.
+// Counts the flashes of each pass.
 struct PassSizes final : core::StrokeTaker {
   void begin_pass(core::Instant) override { sizes.push_back(0); }
   void strokes(std::span<const core::Stroke> strokes) override {
@@ -179,15 +179,15 @@ TEST(JonesImmediate, LinesAppearDuringTheViewInAFileThatIsAlwaysTerminated) {
     machine.start(program.labels.start);
     pdp7::Limits limits;
     limits.until = at(60);
-    for (int stop = 0; stop < 3; ++stop) {  // the first is the count set to zero
+    for (int stop = 0; stop < 3; ++stop) {  // the first stores a count of zero
       screen.sizes.clear();
       ASSERT_EQ(machine.run(limits, watch), pdp7::StopReason::observer);
     }
     EXPECT_GT(watch.stores(), 300);
     EXPECT_EQ(watch.runaways(), 0);
-    // View 2: the last picture until there is a line, then more and more.
+    // View 2 shows the previous picture until there is a line, then more and more lines.
     ASSERT_GT(screen.sizes.size(), 5U);
-    screen.sizes.pop_back();  // under way when the view ended
+    screen.sizes.pop_back();  // incomplete when the view ended
     const auto shortest = std::min_element(screen.sizes.begin() + 1, screen.sizes.end());
     EXPECT_TRUE(std::is_sorted(shortest, screen.sizes.end()));
     EXPECT_LT(2 * *shortest, screen.sizes.back());
@@ -196,7 +196,7 @@ TEST(JonesImmediate, LinesAppearDuringTheViewInAFileThatIsAlwaysTerminated) {
   }
 }
 
-// A view that cannot be completed: its status, the part of it on the screen, and the next view.
+// A view that cannot be completed: its status, the displayed part, and the next view.
 class JonesStatus : public testing::TestWithParam<bool> {
  protected:
   void expect(Program program, Status status, std::size_t least_pieces) const {
@@ -243,7 +243,7 @@ TEST_P(JonesStatus, DeeperThanTheNumberOfCells) {
 
 TEST_P(JonesStatus, BadDataElement) {
   Program program = with(scene::builtin_scene("house"));
-  // The last vector of the initial cell: the lines before it are drawn.
+  // Damages the last vector of the initial cell: the lines before it are drawn.
   const pdp7::Address count = program.scene.cell_addresses.at(program.scene.view.cell) + 3;
   constexpr std::uint32_t without_axis = 0477777;
   core::Word18& last = program.core[count + program.core[count].value()];

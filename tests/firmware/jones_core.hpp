@@ -1,5 +1,5 @@
-// Jones's program in core, put together once a scene and kind of machine, and the place of the eye in it
-// changed by hand, as a person at the console would deposit it (NOTES.md, "Reading and changing it").
+// Jones's program in core, assembled once per scene and kind of machine. Tests change the position of the eye in core, as a
+// person at the console would deposit it (NOTES.md, "Reading and changing it").
 #pragma once
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ inline Program assembled(std::string_view scene, bool eae) {
   return assembled(scene::builtin_scene(scene), eae);
 }
 
-// A tag of the program. The tests use only such as its comments explain.
+// The address of a tag of the program. The tests use only tags that the program's comments explain.
 inline pdp7::Address tag(const Program& program, std::string_view name) {
   const auto found = program.symbols.find(name);
   if (found == program.symbols.end()) {
@@ -53,7 +53,7 @@ inline void put_eye(Program& program, const SpacePoint& eye) {
   program.core[program.labels.scene + 4] = word_of(eye.z);
 }
 
-// The program's run as it is in core.
+// Runs the program with the current contents of core.
 inline Outcome outcome_of(const Program& program, const Order& order = {}) {
   auto outcome = run_core(program, program.core, order);
   if (!outcome) {
@@ -63,7 +63,7 @@ inline Outcome outcome_of(const Program& program, const Order& order = {}) {
   return std::move(*outcome);
 }
 
-// What the twin reads: the same core, with nothing where the tapes put nothing.
+// The core that the twin reads: empty where the tapes store nothing.
 inline std::vector<core::Word18> image_of(const Program& program) {
   return program.core;
 }
@@ -82,7 +82,7 @@ inline std::string octal(const std::vector<core::Word18>& words, std::size_t at)
   return digits;
 }
 
-// Two display files, bit for bit.
+// Compares two display files bit for bit.
 inline testing::AssertionResult same_words(const std::vector<core::Word18>& guest,
                                            const std::vector<core::Word18>& twin) {
   if (guest == twin) return testing::AssertionSuccess();

@@ -1,6 +1,5 @@
-// What a Type 340 lights for a display file of Jones's program: decoded from its words alone, every vector by
-// the rate multiplier pulse by pulse. The start of a vector is dark; from its first step on every pulse
-// flashes.
+// The points that a Type 340 lights for a display file of Jones's program: decoded from its words alone, every vector by
+// the rate multiplier pulse by pulse. The start of a vector is dark; every pulse from the first step on flashes.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// Watches a view of Jones's program by its core cycles alone: when it began and ended, how deep the search
-// went, and which cell stood at each depth. Much less than the watch of host/programs/jones, and independent of it.
+// Watches a view of Jones's program by its core cycles alone: when it began and ended, how deep the search went, and which cell
+// was current at each depth. Smaller than the watch of host/programs/jones, and independent of it.
 #pragma once
 
 #include <algorithm>
@@ -39,7 +39,7 @@ class PathWatch final : public pdp7::Observer {
   [[nodiscard]] core::Duration time() const { return ended_ - begun_; }
   [[nodiscard]] std::uint64_t visits() const { return visits_; }
   [[nodiscard]] std::size_t depth() const { return deepest_; }
-  // A cell was entered that the path to it had already led through.
+  // The search entered a cell that was already on the path to it.
   [[nodiscard]] bool reentered() const { return reentered_; }
 
  private:
@@ -66,7 +66,7 @@ class PathWatch final : public pdp7::Observer {
   std::vector<std::uint32_t> path_;
 };
 
-// The file being made, which is the one just published, up to its stop.
+// The file just published, up to its stop.
 inline std::vector<core::Word18> file_words(const pdp7::Machine& machine, const Program& program) {
   std::vector<core::Word18> words;
   pdp7::Address at = machine.peek(program.labels.file_begun).value();
@@ -75,9 +75,9 @@ inline std::vector<core::Word18> file_words(const pdp7::Machine& machine, const 
   return words;
 }
 
-// One view, with no display on the machine and no clock.
+// One view without display and clock.
 struct DarkView {
-  Status status = Status::unfinished;  // no view within the limit of time
+  Status status = Status::unfinished;  // no view within the time limit
   std::vector<core::Word18> display_file;
   core::Duration time{};
   std::uint64_t visits = 0;

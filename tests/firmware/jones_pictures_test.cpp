@@ -1,8 +1,8 @@
-// What is seen of Jones's program: approved pictures of every scene, and the guest's own display words
-// against the scene's exact visibility.
+// The pictures of Jones's program: approved pictures of every scene, and the guest's own display words compared with the
+// scene's exact visibility.
 //
-// The photographs depend on every nanosecond of a run: a change of the program's timing alone calls for a new
-// look at them.
+// The photographs depend on every nanosecond of a run: after a change of the program's timing alone a person must approve
+// them again.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -47,8 +47,8 @@ TEST_P(JonesPictures, AreTheSameWithoutTheEae) {
   EXPECT_TRUE(picture::crisp_raster(with.pass) == picture::crisp_raster(without.pass));
 }
 
-// Lengths wrong by more than a point: at most one per cent of what is truly seen.
-TEST_P(JonesPictures, ShowWhatIsTrulySeen) {
+// The length drawn wrong by more than a point is at most one per cent of the visible length.
+TEST_P(JonesPictures, ShowTheVisibleLines) {
   constexpr int views = 21;
   constexpr double a_point = 1.0;
   const scene::CellScene scene = scene::builtin_scene(GetParam());

@@ -1,9 +1,8 @@
-// Single routines of Jones's program, called through their labels on a PDP-7: arguments are deposited in the
-// cells that the routine's comment names, a JMS and a HLT stand where the display file would be, and the
-// machine runs until it halts.
+// Single routines of Jones's program, called through their labels on a PDP-7: arguments are deposited in the cells that the
+// routine's comment names, a JMS and a HLT replace the display file, and the machine runs until it halts.
 //
-// Two more places halt: `fault`, where whatever stops a view arrives with the status in AC, and the first
-// word of `piece`, where a clipped line would be drawn.
+// It also halts at `fault`, which is reached with the status in AC whenever a view stops, and at the first word of `piece`,
+// where a clipped line would be drawn.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +29,7 @@ class RoutineMachine {
 
   enum class End : std::uint8_t { returned, fault, piece, runaway };
 
-  // Runs `routine` with this in AC. On `fault` ac() is the status.
+  // Runs `routine` with `ac` in AC. At `fault`, ac() is the status.
   End call(std::string_view routine, std::int32_t ac = 0) {
     machine_.deposit(call_, core::Word18(jms | at(routine)));
     machine_.registers().ac = word_of(ac);
@@ -58,7 +57,7 @@ class RoutineMachine {
   [[nodiscard]] std::int64_t accumulator() const {
     return std::int64_t{cell("acch")} * (std::int64_t{1} << 18) + machine_.peek(at("accl")).value();
   }
-  // Without the EAE double products come times 2^(8 - fraction bits).
+  // Without the EAE double products are scaled by 2^(8 - fraction bits).
   [[nodiscard]] std::int64_t product_unit() const {
     return eae_ ? 1 : std::int64_t{1} << (8 - machine_fraction_bits);
   }

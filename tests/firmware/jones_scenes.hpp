@@ -1,5 +1,4 @@
-// Scenes made by hand for Jones's program, each for one thing it does. None of them is checked as a possible
-// scene.
+// Scenes made by hand for Jones's program, each for one property. None of them is checked for validity.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +25,7 @@ inline scene::CellScene many_lines(std::int32_t count) {
   return one_cell({200, count, 5}, {{0, 0, 0}, {400, 2 * count, 400}}, std::move(lines));
 }
 
-// A row of doorways whose left sides lie on one ray through the eye: none is hidden by those before it.
+// A row of doorways whose left sides lie on one ray through the eye: none is occluded by those before it.
 inline scene::CellScene grazing_doorways_scene(std::int32_t count) {
   scene::CellScene scene = one_cell({200, 200, 0}, {{0, 0, -10}, {400, 400, 100}}, {});
   for (std::int32_t i = 1; i <= count; ++i) {
@@ -41,7 +40,7 @@ inline scene::CellScene grazing_doorways_scene(std::int32_t count) {
   return scene;
 }
 
-// One opening with stairs for an outline: 2 steps + 2 corners.
+// One opening with a staircase outline: 2 steps + 2 corners.
 inline scene::CellScene stairs(std::int32_t steps) {
   scene::CellScene scene = one_cell({200, 200, 0}, {{0, 0, -10}, {400, 400, 100}}, {});
   scene.cells.push_back({{{0, 0, 100}, {400, 400, 200}}, {}});

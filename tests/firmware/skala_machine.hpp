@@ -1,5 +1,4 @@
-// The resident Skala program on its machine, for tests: assembled from the source tree, fed over the parallel
-// link.
+// The resident Skala program on its machine: assembled from the source tree, receiving commands over the parallel link.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -66,7 +65,7 @@ class SkalaMachine {
     return {{"ef9365"}, {"alt256"}, {"calcomp565"}, {"minigraf0507"}, {"parallel"}};
   }
 
-  // The commands are sent over each link that is attached.
+  // The commands are sent over each attached link.
   explicit SkalaMachine(std::vector<std::uint8_t> commands, const std::vector<Attachment>& attachments = everything())
       : commands_(std::move(commands)) {
     machine_.strokes().hand_to(&strokes_);
@@ -77,7 +76,7 @@ class SkalaMachine {
     machine_.load(0, program().image.bytes());
   }
 
-  // Runs to the halt; the status; empty if it does not end.
+  // Runs to the halt and returns the status; nothing if the program does not halt.
   std::optional<std::uint8_t> run() {
     i8080::Limits limits;
     limits.until = core::at_t_state(100'000'000'000);

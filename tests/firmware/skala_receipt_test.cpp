@@ -1,5 +1,4 @@
-// The resident Skala program's monitor: what it refuses, both links, a picture larger than its buffer,
-// devices that fail.
+// The resident Skala program's monitor: rejected commands, both links, a picture larger than its buffer, failing devices.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +21,7 @@ std::optional<std::uint8_t> status_of(Bytes commands) {
   return machine.run();
 }
 
-TEST(SkalaReceipt, StopsAtWhatItDoesNotKnow) {
+TEST(SkalaReceipt, StopsAtAnUnknownCommand) {
   for (const int code : {0x0F, 0x10, 0x80, 0xFF})
     EXPECT_EQ(status_of({static_cast<std::uint8_t>(code)}), 2) << code;
   EXPECT_EQ(status_of({1, 5, 5, 2, 9, 9, 0x0F}), 2);
@@ -77,8 +76,8 @@ TEST(SkalaReceipt, OverTheSerialLink) {
   EXPECT_EQ(machine.ef9365().totals().dots, 11U);
 }
 
-// A host at half the speed: the stop bit is not where it should be.
-TEST(SkalaReceipt, StopsAtAnErrorOfTheLine) {
+// The host sends at half the speed: the stop bit is not where it should be.
+TEST(SkalaReceipt, StopsAtALineError) {
   SkalaMachine machine({1, 10, 10, 2, 20, 10, 0}, {{"ef9365"}, {"serial", {{"baud", 4800}}}});
   machine.machine().deposit(label("LINKSW"), 1);
   EXPECT_EQ(machine.run(), 4);
@@ -94,8 +93,8 @@ TEST(SkalaDevices, MustAnswer) {
   EXPECT_EQ(minigraf.run(), 1);
 }
 
-// The carriage stands at its end: the first step off it is an error of the plotter's.
-TEST(SkalaDevices, APlottersErrorStopsTheProgram) {
+// The carriage is at its end: a step beyond it is a plotter error.
+TEST(SkalaDevices, APlotterErrorStopsTheProgram) {
   SkalaMachine machine({10, 2, 1, 200, 200, 2, 250, 250, 0},
                        {{"ef9365"}, {"alt256"}, {"calcomp565", {{"start-y", 1100}}}, {"minigraf0507"}, {"parallel"}});
   EXPECT_EQ(machine.run(), 5);

@@ -1,6 +1,5 @@
-// What firmware/i8080/skala/SPECIFICATION.md says, written again in plain C++ for the tests of the program's
-// routines: one step after the other, signed numbers, no device and no time. It shares nothing with the
-// program but the page.
+// firmware/i8080/skala/SPECIFICATION.md in plain C++, for the tests of the program's routines: sequential, with signed numbers,
+// without devices and time. It shares only the specification with the program.
 #pragma once
 
 #include <algorithm>
@@ -147,7 +146,7 @@ class Reference {
     shaded_column_ = -1;
   }
 
-  // Section 3. Levels go along for surfaces (section 6).
+  // Section 3. `level` is for surfaces (section 6).
   void line(int x, int y, Mode mode, int level = 0) {
     if (mode == Mode::mask && !visible_) {
       if (x != x_ || y != y_) run_.clear();
@@ -368,7 +367,7 @@ class Reference {
   int x_ = 0, y_ = 0, colour_ = 7, silhouette_ = 0, device_ = 0, level_ = 0;
   int shaded_column_ = -1;
   bool fresh_ = true, visible_ = true, down_ = false;
-  std::vector<std::pair<int, int>> run_;  // of visible points, as long as it lasts
+  std::vector<std::pair<int, int>> run_;  // the current run of visible points
   std::pair<int, int> pen_{0, 0};
 };
 

@@ -1,5 +1,5 @@
-// The resident Skala program, command by command: hand-worked cases, lines in all octants, and random streams
-// against a plain statement of the specification, on every device.
+// The resident Skala program, command by command: hand-worked cases, lines in all octants, and random streams compared with a
+// plain implementation of the specification, on every device.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ using Dots = std::set<std::pair<int, int>>;
 
 const std::vector<Attachment> raster_only{{"ef9365"}, {"parallel"}};
 
-// Dots of a colour other than 0 after a run that must end well.
+// Dots of a colour other than 0 after a run that must succeed.
 Dots dots(const Bytes& commands) {
   SkalaMachine machine(commands, raster_only);
   EXPECT_EQ(machine.run(), 1);
@@ -42,8 +42,8 @@ TEST(SkalaProgram, FitsBelowItsMasks) {
   EXPECT_EQ(label("START"), program().image.start.value_or(0));
 }
 
-// Worked by hand from section 3: e = -3 at first, then -1, 1-5, -2, 0-5, -3. Backwards it is the same dots.
-TEST(SkalaLines, GoTheSameWayThereAndBack) {
+// Worked by hand from section 3: e = -3 at first, then -1, 1-5, -2, 0-5, -3. Backwards it lights the same dots.
+TEST(SkalaLines, LightTheSameDotsInBothDirections) {
   const Dots expected{{10, 20}, {11, 20}, {12, 21}, {13, 21}, {14, 22}, {15, 22}};
   for (const int device : {0x00, 0x80}) {
     const auto d = static_cast<std::uint8_t>(device);
@@ -104,7 +104,7 @@ TEST(SkalaMasks, AreFoldedAfterTheColumn) {
   EXPECT_EQ(machine.page("MB")[32], 90);
 }
 
-// Section 6: the column is filled down to the slice before, its level going from 6 to 2 on the way.
+// Section 6: the column is filled down to the slice before, while the level falls from 6 to 2.
 TEST(SkalaSurface, FillsDownToTheSliceBefore) {
   SkalaMachine machine({9, 2, 50, 100, 2, 52, 100, 2, 6, 9, 2, 50, 108, 6, 52, 108, 6, 6, 0}, raster_only);
   ASSERT_EQ(machine.run(), 1);
@@ -117,7 +117,7 @@ TEST(SkalaSurface, FillsDownToTheSliceBefore) {
   EXPECT_EQ(raster.at(51, 99), 0);
 }
 
-// Every stroke of the pen, and every dot and mask of a board, as the specification has them.
+// Compares every pen stroke, and every dot and mask of a board, with the specification.
 void compare(const StreamKind& kind, std::uint32_t seed) {
   StreamMaker maker(kind, seed);
   const Bytes commands = maker.make(1 + static_cast<int>(seed * 37 % 120));
@@ -178,7 +178,7 @@ TEST(SkalaStreams, OnThePlotters) {
   }
 }
 
-// What a step of the inner loops costs, as NOTES.md has it: the difference one more of them makes.
+// The cost of a step of the inner loops, which NOTES.md states: the difference that one more step makes.
 std::int64_t t_states(const Bytes& commands) {
   SkalaMachine machine(commands, raster_only);
   EXPECT_TRUE(machine.run_to("DRAWIT", 1'000'000));
@@ -189,7 +189,7 @@ std::int64_t t_states(const Bytes& commands) {
 
 TEST(SkalaLoops, CostWhatTheNotesSay) {
   auto flat = [](std::uint8_t device, std::uint8_t length, std::uint8_t row) {
-    // Two slices first, so that no column is new; then the line in question.
+    // Two slices first, so that no column is new; then the line to measure.
     return Bytes{10, device, 8, 0,   1,  90, 1, 0, 100, 2, 255,    100, 6, 1,
                  0,  80,     2, 255, 80, 6,  1, 0, row, 2, length, row, 0};
   };

@@ -1,5 +1,4 @@
-// Random command streams for the Skala program: chains of short and long lines, with everything else in
-// between.
+// Random command streams for the Skala program: chains of short and long lines, mixed with all other commands.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +31,7 @@ class StreamMaker {
   }
 
  private:
-  // Not std::uniform_int_distribution, whose numbers each library draws in its own way.
+  // Not std::uniform_int_distribution, whose results depend on the library.
   int choose(int a, int b) { return a + static_cast<int>(random_() % static_cast<std::uint32_t>(b - a + 1)); }
   void put(std::initializer_list<int> values) {
     for (const int value : values) bytes_.push_back(static_cast<std::uint8_t>(value));
@@ -101,7 +100,7 @@ class StreamMaker {
       put({x_, y_, choose(0, 255)});
     }
   }
-  // A cell's contours and margins, the COMMIT sometimes left out.
+  // A cell's contours and margins, sometimes without the COMMIT.
   void cell() {
     near(0x01);
     if (choose(0, 1) == 1) near(0x03);

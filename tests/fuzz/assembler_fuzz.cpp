@@ -1,4 +1,4 @@
-// Any bytes as PDP-7 source. What assembles must come back from the disassembler as the same words.
+// Any bytes as PDP-7 source. If it assembles, its disassembly must assemble to the same words.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -18,7 +18,7 @@ void check_round_trip(const image::CoreImage& image) {
 
 }  // namespace
 
-// The first byte chooses options; a form feed at a line's start separates two sources.
+// The first byte selects options; a form feed at the start of a line separates two sources.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   assembler::Options options;

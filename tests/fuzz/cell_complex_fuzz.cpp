@@ -1,5 +1,5 @@
-// Any bytes as a file of cells: what is accepted is written and read again, to the same bytes, and walked
-// through by Jones's algorithm.
+// Any bytes as a file of cells: an accepted file is written, read and written again to the same bytes, and searched by Jones's
+// algorithm.
 #include <cstdint>
 #include <cstdlib>
 #include <string>

@@ -1,5 +1,5 @@
-// Any calls of the file functions of CP/M with any file control blocks: no call writes outside the 64K of memory, and neither a folder
-// beside that of the drive nor what a link in it leads to is changed. Three bytes of the input are a call, 16 more the block.
+// Any calls of CP/M's file functions with any file control blocks: no call writes outside the 64K of memory, and the calls change
+// neither a folder next to the drive's nor the target of a link in it. Three bytes of input are a call, 16 more the block.
 #include <unistd.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Any bytes from the client of a debug adapter, with a small PDP-7 behind `launch`: the session ends with or without an error,
-// and all that is sent back is framed. Bytes as they are, and each line of them as a message.
+// Any bytes from the client of a debug adapter that launches a small PDP-7: the session ends, with or without an error, and
+// every reply is framed. The input is sent as it is, and then each line of it as a message.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -18,7 +18,7 @@ void hold(std::string_view bytes) {
   int patience = 60;
   live::DapHost host;
   host.read = [&bytes, &patience](int milliseconds) -> std::optional<std::string> {
-    // While the machine runs some looks find no message.
+    // While the machine runs some polls find no message.
     if (milliseconds == 0 && --patience > 0 && patience % 4 != 0) return std::string();
     if (bytes.empty()) return std::nullopt;
     const std::string piece(bytes.substr(0, 50));

@@ -1,8 +1,9 @@
-// Any changes to an image of an RB09: it is refused if its length or a word is wrong, and what is accepted comes out of the drive as
-// the same bytes.
+// Any changes to an image of an RB09: an image of wrong length or with a bad word is rejected, and an accepted image is read
+// back from the drive unchanged.
 //
-// Input: four bytes each change one byte of the image, its place (three bytes, high first) and its value; from place FA0000 on the image
-// is as much shorter or, with an odd value, longer as the place says.
+// Input: each four bytes change one byte of the image: four times its offset (three bytes, high first), and its value. From
+// FA0000 on
+// they shorten the image by the excess, or lengthen it if the value is odd.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Any bytes as a dump of each machine: refused as bad input with the name of the file, or registers and words within their
-// bits, at ascending addresses. What begins as a dump does is read up to its first line of words at least.
+// Any bytes as a dump of each machine: rejected as bad input with the file name, or registers and words within their widths, at
+// ascending addresses. Input that begins like a dump is read at least up to its first line of words.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// Streams of a flight, as they come and made right with one byte changed: the program on the 8080 does what its twin does, and refuses what is
-// damaged.
+// Flight streams, as given and made valid with one byte changed: the program on the 8080 acts as its twin does and rejects
+// damaged streams.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -14,7 +14,7 @@ namespace {
 
 namespace flight = sightline::programs::flight;
 
-// Numbers from the input, 0 at its end.
+// Numbers from the input, then zeros.
 class Input {
  public:
   explicit Input(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -26,7 +26,7 @@ class Input {
   std::size_t at_ = 0;
 };
 
-// With precision 3 the squares of high bytes have to stay below 2^16 in all.
+// With precision 3 the squares of the high bytes must sum to less than 2^16.
 std::vector<std::uint32_t> point_of(Input& input, flight::Precision precision, std::size_t axes) {
   std::vector<std::uint32_t> point;
   for (std::size_t axis = 0; axis < axes; ++axis) {
@@ -57,7 +57,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::size_t planes = input.byte() % 12;
   flight::StreamWriter writer(precision, axes, pieces, planes);
   for (std::size_t i = 0; i < pieces + 2 * planes; ++i) writer.point(point_of(input, precision, axes));
-  // A chain of planes, each with two cells of its own.
+  // A chain of planes, each with two cells.
   for (std::size_t plane = 1; plane <= planes; ++plane) {
     writer.place(static_cast<std::uint8_t>(2 * plane));
     writer.place(static_cast<std::uint8_t>(2 * plane + 1));
@@ -71,7 +71,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::uint8_t& damaged = stream[where % stream.size()];
   damaged = static_cast<std::uint8_t>(damaged ^ change);
   expect_twin(stream, change == 0);
-  // Any words with precision 3 may have keys that are not defined.
+  // Arbitrary words with precision 3 may give undefined keys.
   if (size < 3 || data[2] != 3) expect_twin({data, data + size});
   return 0;
 }

@@ -1,4 +1,4 @@
-// Any bytes as an expression: sampled, or an error with a message.
+// Any bytes as an expression: it is sampled, or rejected with a message.
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -1,4 +1,4 @@
-// Any bytes as a grid file: read, by its content and by every option, and whatever is a grid becomes every kind of picture and figure.
+// Any bytes as a grid file, read by its content and with every option. Every grid is drawn as every kind of picture and figure.
 #include <cstddef>
 #include <cstdint>
 #include <span>

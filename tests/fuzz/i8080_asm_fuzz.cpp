@@ -1,4 +1,4 @@
-// Any bytes as 8080 source. What assembles must come back from the disassembler as the same bytes. The size chooses the dialect.
+// Any bytes as 8080 source. If it assembles, its disassembly must assemble to the same bytes. The size selects the dialect.
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
@@ -21,7 +21,7 @@ void check_round_trip(const image::ByteImage& image, const assembler::I8080Optio
 
 }  // namespace
 
-// A form feed at a line's start separates the source from what every INCLUDE finds.
+// A form feed at the start of a line separates the source from the text that every INCLUDE reads.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(data, data + size);
   const std::size_t cut = text.find("\n\f");

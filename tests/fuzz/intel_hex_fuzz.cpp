@@ -1,4 +1,4 @@
-// Any bytes as Intel HEX. What is read must survive being written and read.
+// Any bytes as Intel HEX. An accepted file must be the same after writing and reading.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   image::ByteImage expected = read.value();
-  if (expected.start == 0) expected.start.reset();  // an end record with address 0 says nothing
+  if (expected.start == 0) expected.start.reset();  // an end record with address 0 gives no start address
   const auto again = image::read_intel_hex(image::write_intel_hex(read.value()), "f");
   if (!again || again.value() != expected) std::abort();
   return 0;

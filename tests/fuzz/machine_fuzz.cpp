@@ -1,7 +1,6 @@
-// Any bytes as a PDP-7 with a Type 340: its configuration, its registers, its tape and keys, and the
-// words in its core. It is run twice: once unwatched, in one piece; once with every cycle and
-// flash watched, in many pieces. Both must end in the same state at the same instant, and what was watched
-// must keep the machine's laws.
+// Any bytes as a PDP-7 with a Type 340: its configuration, registers, tape and keys, and the words in its core. It runs
+// twice: once without observer in one piece, and once with every cycle and flash observed, in many pieces. Both runs must end in
+// the same state at the same instant, and the observations must satisfy the machine's invariants.
 //
 // Input: a header of 24 bytes (Header), then words of three bytes, high byte first, from Header::load on.
 #include <algorithm>
@@ -23,13 +22,13 @@ namespace {
 using namespace sightline;
 
 constexpr std::uint64_t most_instructions = 3000;
-constexpr core::Instant latest = core::at_nanoseconds(100'000'000);  // long EAE steps do not make a run long
+constexpr core::Instant latest = core::at_nanoseconds(100'000'000);  // long EAE steps do not lengthen a run
 
 void require(bool holds) {
   if (!holds) std::abort();
 }
 
-// Takes bytes off the front; zeros after the end.
+// Takes bytes from the front; zeros after the end.
 class Bytes {
  public:
   Bytes(const std::uint8_t* data, std::size_t size) : at_(data), end_(data + size) {}
@@ -45,7 +44,7 @@ class Bytes {
   const std::uint8_t* end_;
 };
 
-// Members are in the order of the input's bytes; the number of bytes is next to each.
+// Members in the order of the input; each comment begins with the number of bytes.
 struct Header {
   explicit Header(Bytes& in)
       : machine(in.take(1)),
@@ -76,7 +75,7 @@ struct Header {
   std::uint32_t sc;              // 1
   std::uint32_t switches;        // 3
   std::uint32_t switches_later;  // 3: after 1 ms
-  std::uint32_t pen;             // 1: how long the light takes, in tens of nanoseconds
+  std::uint32_t pen;             // 1: delay of the light, in tens of nanoseconds
 };
 
 [[nodiscard]] bool has(std::uint32_t bits, unsigned n) {
@@ -149,8 +148,7 @@ struct Screen final : core::StrokeTaker {
   }
 };
 
-// No cycle overlaps the one before it and none is missing between two; an instruction begins and ends with
-// one.
+// Cycles follow each other without overlap or gap; instructions begin and end at cycle boundaries.
 struct Watcher final : pdp7::Observer {
   Watcher() { instructions = true; }
   core::Instant reached{};
@@ -169,7 +167,7 @@ struct Watcher final : pdp7::Observer {
   }
 };
 
-// Runs to a stop that is no limit, or to the limits; `part` instructions at a time, watched if there is a watcher.
+// Runs to a stop or to the limits, `part` instructions at a time, observed if there is a watcher.
 pdp7::StopReason run(pdp7::Machine& machine, std::uint64_t part, Watcher* watcher) {
   pdp7::StopReason reason = pdp7::StopReason::instruction_limit;
   std::uint64_t left = most_instructions;
@@ -191,7 +189,7 @@ void check_laws(const pdp7::Machine& machine) {
                       [](core::Word18 word) { return word.value() == 0; }));
 }
 
-// Of what a device has, if it is there.
+// Compares a part of the state of a device that both or neither have.
 template <class Device, class Part>
 void check_same_part(const pdp7::Machine& a, const pdp7::Machine& b, Part part) {
   const Device* const of_a = a.find<Device>();

@@ -1,5 +1,5 @@
-// Any bytes as lines of the monitor of a small PDP-7: each is answered in whole lines, and looking into the past afterwards
-// leaves the machine as it is, to the bit.
+// Any bytes as monitor commands for a small PDP-7: each answer consists of whole lines, and inspecting the past afterwards
+// does not change the machine in any bit.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -21,7 +21,7 @@ void require(bool holds) {
   if (!holds) std::abort();
 }
 
-// Files have no content, and what is written goes nowhere.
+// Files are empty, and output is discarded.
 live::MonitorHost host(int& patience) {
   live::MonitorHost host;
   host.running.run = [&patience](machines::Machine& machine, const machines::Limits& limits, const auto& heard) {

@@ -1,5 +1,5 @@
-// Any bytes as PDP-7 source in the dialect of Bell Laboratories. What assembles must come back from the
-// dialect's disassembler as the same words, and as the same words again from that of DEC's language.
+// Any bytes as PDP-7 source in the dialect of Bell Laboratories. If it assembles, the disassemblies in this dialect and in
+// DEC's language must assemble to the same words.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -20,7 +20,7 @@ assembler::Assembly assemble(const std::vector<assembler::SourceFile>& sources, 
 
 void check_round_trips(const image::CoreImage& image) {
   const auto text = disassembler::disassemble_pdp7_bell(image);
-  if (!text) std::abort();  // the dialect makes no words that it cannot say
+  if (!text) std::abort();  // the dialect can express all words that it makes
   if (assemble({{"again", *text}}, assembler::Dialect::bell).image != image) std::abort();
   if (assemble({{"dec", disassembler::disassemble_pdp7(image)}}, assembler::Dialect::dec).image != image)
     std::abort();
@@ -28,7 +28,7 @@ void check_round_trips(const image::CoreImage& image) {
 
 }  // namespace
 
-// A form feed at a line's start separates two sources.
+// A form feed at the start of a line separates two sources.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(data, data + size);
   const std::size_t cut = text.find("\n\f");

@@ -1,5 +1,5 @@
-// Event files of any contents, the checksum made right, so that what is behind it is reached: an error, or a
-// list with which a turn can be made.
+// Event files with arbitrary contents and a correct checksum, so that the reader reaches them: an error, or a list that can
+// be used for a rotation.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -25,7 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const algorithms::plantinga::RotationModel model(two_triangles());
   base::Bytes bytes(data, data + size);
   if (size >= 26) {
-    // The model's own mark, so that a corpus needs none.
+    // Inserts the model's identifier, so that the corpus does not contain it.
     for (std::size_t i = 0; i < 8; ++i)
       bytes[18 + i] = static_cast<std::uint8_t>(model.fingerprint() >> (8 * i));
     std::uint64_t hash = 14695981039346656037ULL;

@@ -1,5 +1,5 @@
-// What every fuzz target for a reader of polyhedra does with what was read: mend it, check it, write it in
-// all formats, and read that again.
+// Shared by the fuzz targets for readers of polyhedra: mends and checks what was read, writes it in all formats, and reads
+// it again.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Any bytes as a scene with its camera: what is possible, and not too big for the oracle, is seen alike by
-// all that give exact visible edges.
+// Any bytes as a scene with its camera: all algorithms with exact visible edges agree on every valid scene that is small
+// enough for the oracle.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>

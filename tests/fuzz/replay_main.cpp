@@ -1,6 +1,6 @@
-// Runs a fuzz target without libFuzzer: every file of its corpus, then a few thousand mutations of them with a fixed
-// seed. A crash, a sanitizer report or a hang is the only way to fail; the input that was on trial is then in the file
-// named by the second argument, so that it can be added to the corpus.
+// Runs a fuzz target without libFuzzer: every file of its corpus, then a few thousand mutations of them with a fixed seed.
+// It fails only by a crash, a sanitizer report or a hang; the file named by the second argument then contains the current
+// input, so that it can be added to the corpus.
 //
 //   NAME_replay CORPUS_FOLDER LAST_INPUT_FILE [MUTATIONS]
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Any bytes as each of the scripts that `sightline run pdp7` takes: what is no script is refused as bad
-// input, with the name of the file.
+// Any bytes as each of the scripts that `sightline run pdp7` takes: an invalid script is rejected as bad input with the file
+// name.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

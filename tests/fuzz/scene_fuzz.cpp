@@ -1,5 +1,5 @@
-// Any bytes as a scene file: read, checked, located, encoded and looked at. Whatever passes the checks must
-// be safe for everything behind them.
+// Any bytes as a scene file: read, checked, located, encoded and viewed. A scene that passes the checks must be safe for
+// everything that uses it.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

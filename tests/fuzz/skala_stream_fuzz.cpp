@@ -1,5 +1,5 @@
-// Any bytes as a command stream for the Skala program's twin. It must end, say where it stopped, and leave a
-// state that its specification allows.
+// Any bytes as a command stream for the Skala program's twin. The twin must end, report where it stopped, and leave a state
+// that its specification allows.
 #include <cstdint>
 #include <cstdlib>
 #include <span>
@@ -56,7 +56,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             picture.columns.lowered_from[x] >= picture.columns.mask_bottom[x]);
   }
   check_path(picture);
-  // What comes after the byte it stopped at makes no difference.
+  // Bytes after the one at which it stopped have no effect.
   const programs::skala::TwinPicture again = programs::skala::run_twin(stream.first(picture.bytes_taken));
   require(again.status == picture.status && again.bytes_taken == picture.bytes_taken);
   require(again.moves == picture.moves && again.rasters == picture.rasters);

@@ -1,10 +1,10 @@
-// Any changes to the state in a snapshot, with a good checksum: refused, and the machine is as it was, or a
-// state from which the machine runs, which can be saved and restored again. The bytes as they are, without a
-// checksum, are refused.
+// Any changes to the state in a snapshot, with a correct checksum: either the snapshot is rejected and the machine is unchanged,
+// or the machine runs from the restored state, which can be saved and restored again. Snapshots with a wrong checksum are
+// rejected.
 //
-// Input: one byte, 0 or even for the PDP-7, odd for the 8080; then changes of four bytes: the section, the
-// place in it (two bytes, high first) and what to combine the byte there with by exclusive or. From section
-// 200 on the section (less 200) gets as many bytes as the place says.
+// Input: one byte, even for the PDP-7, odd for the 8080; then changes of four bytes: the section, the offset in it (two bytes,
+// high first) and a byte to XOR there. A section number of 200 or more means section minus 200, which gets the offset as its
+// new length.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,5 +1,6 @@
-// Any bytes as faces for the twin of the program of stripes: a mode, a number of faces and a body, in a frame with right check sums, so
-// that the records are reached; then the same bytes as a whole stream. It must end, say how, and leave what its specification allows.
+// Any bytes as faces for the twin of the stripes program: a mode, a number of faces and a body, in a frame with correct check
+// sums, so that the records are reached; then the same bytes as a whole stream. The twin must end, report its status, and leave a
+// state that its specification allows.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -18,7 +19,7 @@ void require(bool holds) {
   if (!holds) std::abort();
 }
 
-// The pen stays on the lattice of the picture, is put down and lifted in turn, and is up in the end.
+// The pen stays on the lattice of the picture, alternates between down and up, and ends up.
 void check_pen(const stripes::TwinPicture& picture) {
   constexpr std::array<std::array<int, 2>, 8> moves{
       {{0, 1}, {1, 1}, {1, 0}, {1, -1}, {0, -1}, {-1, -1}, {-1, 0}, {-1, 1}}};

@@ -1,4 +1,4 @@
-// Any bytes as core image or tape, with and without an address. What is read must survive being written and read.
+// Any bytes as core image or tape, with and without an address. An accepted file must be the same after writing and reading.
 #include <cstdint>
 #include <cstdlib>
 #include <span>

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Installs a build into a folder of its own and uses it as a stranger would: the command with its man pages and completion,
-# the machines as a library (CMake package, pkg-config, add_subdirectory), a Debian package.
+# Installs a build into a separate folder and uses it as an outside user would: the command with its man pages and completion, the
+# machines
+# as a library (CMake package, pkg-config, add_subdirectory), a Debian package.
 #
 #   check_install.sh BUILD_DIRECTORY CXX REPORT        REPORT: ON if sightline-report is built
 set -eu
@@ -16,7 +17,7 @@ trap 'rm -rf "$work"' EXIT
 fail() { echo "install: $*" >&2; exit 1; }
 quietly() { "$@" > "$work/log" 2>&1 || { cat "$work/log" >&2; fail "$* failed"; }; }
 
-# What an example prints. $1: the program.
+# The output of an example. $1: the program.
 check_example() {
   case $1 in
     */pdp7_square) expected="halted: 508 flashes" ;;
@@ -26,7 +27,7 @@ check_example() {
   [ "$("$1" | tail -1)" = "$expected" ] || fail "$1 printed something else"
 }
 
-# The installed tree can be moved: nothing in it knows where it was.
+# The installed tree can be moved: it contains no absolute path.
 quietly cmake --install "$build" --prefix "$work/tree"
 mv "$work/tree" "$work/moved"
 tree=$work/moved
@@ -42,7 +43,7 @@ if [ "$report" = ON ]; then
   [ -s "$tree/share/man/man1/sightline-report.1" ] || fail "sightline-report.1 is missing"
 fi
 
-# Man pages: every subcommand has one, and groff finds nothing to warn of.
+# Man pages: every subcommand has one, and groff gives no warning.
 for subcommand in $("$tree/bin/sightline" --help | awk '/^[^ ]/ { l = $0 == "Subcommands:" } l && /^  [^ ]/ { print $1 }'); do
   [ "$subcommand" = report ] || [ -s "$tree/share/man/man1/sightline-$subcommand.1" ] || fail "no man page of $subcommand"
 done
@@ -65,7 +66,7 @@ if command -v bash > /dev/null; then
   [ -z "$(complete_line sightline draw exact part.o)" ] || fail "completion of a file name is bash's own"
 fi
 
-# The test vectors, in the folders that their README.md names. The counts are those it states.
+# The test vectors, in the folders that their README.md names, with the counts that it states.
 vectors=$tree/share/sightline/vectors
 [ -r "$vectors/README.md" ] || fail "the test vectors have no README.md"
 for file in $(sed -n 's/^| `\([^`]*\)` .*/\1/p' "$vectors/README.md"); do
@@ -92,7 +93,7 @@ cmake_build() { # cmake_build DIRECTORY "EXAMPLE..." OPTION...
 }
 cmake_build package "pdp7_square i8080_hello i8080_watched" -DCMAKE_PREFIX_PATH="$tree"
 cmake_build subdirectory pdp7_square -DSIGHTLINE_SOURCE="$source"
-# A project that has the machines as a folder installs its own files alone.
+# A project that contains the machines as a folder installs only its own files.
 quietly cmake --install "$work/subdirectory" --prefix "$work/of-a-project"
 [ ! -e "$work/of-a-project" ] || fail "a project with add_subdirectory(emulators) installs $(find "$work/of-a-project" -type f | wc -l) files of it"
 if command -v pkg-config > /dev/null; then
@@ -103,7 +104,8 @@ if command -v pkg-config > /dev/null; then
   check_example "$work/pkg-config/i8080_hello"
 fi
 
-# The headers do not use exceptions and run-time types, and read no streams, files, threads or clocks. (<memory> reads <stdexcept>.)
+# The headers use no exceptions and run-time types, and include no streams, files, threads or clocks. (<memory> includes
+# <stdexcept>.)
 find "$tree/include" -name '*.hpp' | sort | sed 's/.*/#include "&"/' > "$work/all.cpp"
 quietly "$cxx" -std=c++20 -fno-exceptions -fno-rtti -Wall -Wextra -Werror -fsyntax-only "$work/all.cpp"
 heavy=$("$cxx" -std=c++20 -M "$work/all.cpp" | tr -s ' ' '\n' |

@@ -1,13 +1,14 @@
-# Reads the #include lines of emulators/, host/ and tools/ and compares them with the rules that the build has written of its lists of
-# DEPENDS (tools/library.cmake).
+# Reads the #include lines of emulators/, host/ and tools/ and compares them with the rules that the build writes from its DEPENDS
+# (tools/library.cmake).
 #
 #   cmake -DROOT=. [-DRULES=build/release/include_rules.txt] -P tests/layering/check_includes.cmake
 #
-# A rule FOLDER=ALLOWED,... says what the files in FOLDER may include from the repository: the files in these folders, and single
-# headers. A folder may always include itself. A file belongs to the innermost folder that has a rule.
+# A rule FOLDER=ALLOWED,... lists what the files in FOLDER may include from the repository: files in these folders, and single
+# headers.
+# A folder may always include itself. A file belongs to the innermost folder that has a rule.
 cmake_minimum_required(VERSION 3.25)
 
-# Libraries that may appear in one place only.
+# Libraries that may be included in one place only.
 set(LIBRARY_RULES
   "png.h=host/picture"
   "nlohmann/=host/base"
@@ -18,7 +19,7 @@ set(LIBRARY_RULES
   "gtest/=tests"
   "benchmark/=tests")
 
-# What the machines must not need.
+# Headers that the machines must not include.
 set(FORBIDDEN_IN_EMULATORS "iostream;fstream;sstream;filesystem;thread;mutex;stdexcept;regex;chrono")
 
 cmake_path(ABSOLUTE_PATH ROOT NORMALIZE)
@@ -35,7 +36,7 @@ foreach(rule IN LISTS rules)
   set(folder "${CMAKE_MATCH_1}")
   string(REPLACE "," ";" allowed "${CMAKE_MATCH_2}")
   list(APPEND folders "${folder}")
-  # Several targets of one folder share their rules.
+  # If a folder has several targets, they share their rules.
   list(APPEND "allowed in ${folder}" "${folder}" ${allowed})
 endforeach()
 list(REMOVE_DUPLICATES folders)

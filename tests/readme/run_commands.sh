@@ -1,15 +1,18 @@
 #!/bin/sh
-# Runs the commands of a text, which are its lines that are indented by four blanks, one after the other, in a temporary
-# folder that has the repository's host/. Each must end with exit code 0, print something or write a file, and every file
-# that it names with -o or > must not be empty. Two kinds are tried without their work: of `ninja` that the targets exist, of
-# `ctest` that the filter finds tests. What not_run.txt lists is not run; what is neither run nor listed is an error.
+# Runs the commands of a text, which are its lines indented by four blanks, one after the other, in a temporary folder that has
+# the
+# repository's host/. Each must exit with code 0, print something or write a file, and every file that it names with -o or > must
+# not be
+# empty. Two kinds are only checked: for `ninja` that the targets exist, for `ctest` that the filter finds tests. Commands in
+# not_run.txt
+# are not run; a command that is neither run nor listed is an error.
 #
 #   run_commands.sh TEXT BINARY REPOSITORY BUILD_FOLDER [LEAST PICTURES]
 #
-# Of a page of the manual: LEAST is the least number of commands it must have; its other indented lines are examples of what
-# files hold. PICTURES is a folder of approved pictures: each that the page shows as pictures/NAME is one of them, and the
-# commands must make a file NAME of the same bytes. SIGHTLINE_APPROVE=1 replaces the approved ones by those that were made;
-# look at them before you commit them.
+# For a page of the manual: LEAST is the least number of commands that it must have; its other indented lines are examples of file
+# contents. PICTURES is a folder of approved pictures: each that the page shows as pictures/NAME must be among them, and the
+# commands must
+# make an equal file NAME. SIGHTLINE_APPROVE=1 replaces the approved pictures by the new ones; check them before you commit them.
 set -u
 text=$1
 binary=$2
@@ -60,7 +63,7 @@ while read -r line; do
   esac
   run=$((run + 1))
   touch before
-  sleep 0.02  # times of files are only so fine
+  sleep 0.02  # file times have only this resolution
   if ! sh -c "$command" > printed 2> complaint < /dev/null; then
     fail "$line" "fails: $(cat printed complaint | tail -3)"
     continue

@@ -1,9 +1,8 @@
-// Approved files: what a program wrote is compared byte for byte with a file a person has looked at and
-// committed under tests/data/approved. With SIGHTLINE_APPROVE=1 in the environment the approved files are
-// rewritten instead.
+// Approved files: the output of a program is compared byte for byte with a file that a person has checked and committed
+// under tests/data/approved. With SIGHTLINE_APPROVE=1 in the environment the approved files are rewritten instead.
 //
-// On a mismatch the received bytes are written under `received/` in the working directory of the test (the
-// build tree), and the failure says where. Pictures: see approve_png.hpp.
+// On a mismatch the received bytes are written below `received/` in the working directory of the test (the build tree),
+// and the failure names the file. Pictures: see approve_png.hpp.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -39,7 +38,7 @@ inline std::string read_whole(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-// False if the disk refused.
+// False if writing failed.
 inline bool write_whole(const std::filesystem::path& path, std::string_view bytes) {
   std::error_code failed;
   std::filesystem::create_directories(path.parent_path(), failed);

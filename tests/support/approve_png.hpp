@@ -1,5 +1,5 @@
-// Approved pictures: PNG files compared byte for byte, with a picture of the difference when they are not
-// equal. Link sightline_picture to use it.
+// Approved pictures: PNG files compared byte for byte; a mismatch also writes a picture of the difference.
+// Link sightline_picture to use it.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace sightline::tests {
 
 struct PictureDifference {
-  picture::Image image;  // RGB: agreed white, missing red, extra green, on black
+  picture::Image image;  // RGB: equal pixels white, missing red, extra green, on black
   long missing = 0;      // pixels darker than approved, or beyond the received picture
   long extra = 0;        // pixels lighter than approved (or of another hue), or beyond the approved picture
 };

@@ -1,4 +1,4 @@
-// The approval helper must be able to fail, and say where to look when it does.
+// The approval helper must be able to fail, and a failure must name the file to check.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// How much of a long loop a test runs: all of it where code is optimised, a part where checks in every
-// instruction make it ten to fifty times slower. What a case is tested for is the same in both.
+// How many rounds a test runs: all of them where code is optimised, a part where unoptimised code and sanitizers make it
+// ten to fifty times slower. Both check the same properties.
 #pragma once
 
 namespace sightline::tests {
@@ -20,8 +20,8 @@ template <class Value>
 
 }  // namespace sightline::tests
 
-// The first line of a test that runs whole machines or programs for long, of which shorter tests run every part:
-// under checks it would take minutes and find nothing more.
+// The first statement of a test that runs whole machines or programs for a long time. Shorter tests run all parts of
+// these, so that a run with sanitizers would take minutes and find nothing more.
 #define NEEDS_OPTIMISED_CODE()        \
   if (!sightline::tests::optimised()) \
   GTEST_SKIP() << "runs only where code is optimised"

@@ -19,12 +19,12 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-// Vertices and faces as the file has them.
+// Vertices and faces as in the file.
 struct RawMesh {
   std::vector<Point3> vertices;
   std::vector<std::vector<std::int64_t>> faces;
   std::vector<std::vector<std::int64_t>> lines;
-  int decimals = -1;  // the most that a coordinate has; -1: they are binary
+  int decimals = -1;  // the largest number of decimals of a coordinate; -1: the file is binary
 };
 
 [[noreturn]] void fail(const std::string& what) {
@@ -49,7 +49,7 @@ std::int64_t whole_of(const std::string& word) {
   return static_cast<std::int64_t>(value);
 }
 
-// How many digits after the point the word has, but for zeros at the end, less its exponent.
+// The number of digits after the point, without zeros at the end, less the exponent.
 int decimals_of(const std::string& word) {
   const std::size_t exponent = std::min(word.find_first_of("eE"), word.size());
   const std::size_t point = std::min(word.find('.'), exponent);
@@ -131,7 +131,7 @@ RawMesh read_obj(const std::string& text) {
   return mesh;
 }
 
-// Numbers of a binary file.
+// Reads numbers of a binary file.
 class Bytes {
  public:
   Bytes(const std::string& text, std::size_t at, bool big_endian) : text_(text), at_(at), big_endian_(big_endian) {}
@@ -269,8 +269,8 @@ double size_of(const PlainMesh& mesh) {
   return size;
 }
 
-// Equal vertices become one; corners that repeat their neighbour, faces of less than three, repeated faces and vertices without
-// faces are left out.
+// Merges equal vertices. Leaves out corners equal to the corner before them, faces with fewer than three corners, repeated
+// faces, and vertices without faces.
 PlainMesh plain(const RawMesh& raw) {
   PlainMesh mesh;
   std::map<Point3, std::uint32_t> numbers;
@@ -306,7 +306,7 @@ PlainMesh plain(const RawMesh& raw) {
   }
   if (mesh.faces.empty() && mesh.lines.empty()) fail("found no face and no line");
   const double of_float = std::ldexp(largest, -23);
-  // Whole numbers are exact, and numbers so short that this would be much of the mesh are meant as they are.
+  // Integers are exact. Numbers with few decimals are taken as exact, too, because half a last digit would be much of the mesh.
   mesh.precision = raw.decimals > 0 ? std::max(std::pow(10.0, -raw.decimals), of_float) : of_float;
   mesh.precision = std::min(mesh.precision, size_of(mesh) / 4000);
   return mesh;

@@ -17,7 +17,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi = 3.14159265358979323846;
 constexpr double crease_angle = pi / 6;
-constexpr double paper_tolerance = 0.01;  // mm: strokes are written with so many digits
+constexpr double paper_tolerance = 0.01;  // mm: the precision of written strokes
 constexpr std::size_t faults_described = 12;
 
 Point3 operator-(const Point3& a, const Point3& b) {
@@ -66,7 +66,7 @@ double distance(const Point2& p, const Point2& a, const Point2& b) {
   return length(Point2{p[0] - a[0] - t * along[0], p[1] - a[1] - t * along[1]});
 }
 
-// The smallest box around places.
+// The bounding box of points.
 struct Box {
   Point2 low{infinity, infinity};
   Point2 high{-infinity, -infinity};
@@ -92,7 +92,7 @@ class Projection {
     const double z = depth(p);
     return {dot(d, right_) / z, dot(d, up_) / z};
   }
-  // From a point to the eye, of length 1.
+  // The unit vector from a point to the eye.
   [[nodiscard]] Point3 to_eye(const Point3& p) const { return view_.perspective ? unit(view_.eye - p) : -1.0 * forward_; }
   [[nodiscard]] const PlainView& view() const { return view_; }
 
@@ -103,12 +103,12 @@ class Projection {
   Point3 up_;
 };
 
-// A face with what is asked of it often.
+// A face with precomputed values.
 struct Face {
   Point3 normal{};
   Point3 middle{};
-  double deviation = 0;  // of its vertices from its plane
-  double height = 0;     // twice its area over its longest side: how far a vertex is from the side opposite
+  double deviation = 0;  // of the vertices from the face's plane
+  double height = 0;     // twice the area divided by the longest side: the distance of a vertex from the opposite side
   double depth = 1;      // of the vertex nearest to the eye
   std::vector<Point2> image;
   Box box;  // of the image
@@ -117,7 +117,7 @@ struct Face {
 enum class Cover { no, unclear, yes };
 enum class Sight { visible, unclear, hidden };
 
-// Finds the faces about a place of the image by a grid of cells.
+// Finds the faces near a point of the image by a grid of cells.
 class Caster {
  public:
   Caster(const PlainMesh& mesh, const Projection& projection, double rounding)
@@ -127,11 +127,11 @@ class Caster {
   }
 
   [[nodiscard]] const Face& face(std::size_t number) const { return faces_[number]; }
-  // Whether the file gives a face no plane.
+  // Whether the coordinates of the file do not define a plane of the face.
   [[nodiscard]] bool is_rough(const Face& face) const { return face.deviation > 4 * rounding_; }
 
-  // Of a point on edges of the faces `own`, ascending, none of which hides it. `blur`: how far it may be from its true place,
-  // in addition to what rounding explains, in units of the file.
+  // Visibility of a point on edges of the faces `own` (ascending), which do not hide it. `blur`: how far the point may be from
+  // its true position in addition to rounding, in units of the file.
   [[nodiscard]] Sight sight(const Point3& p, double blur, const std::vector<std::uint32_t>& own) const {
     const Point2 at = projection_.image(p);
     const Point3 to_eye = projection_.to_eye(p);
@@ -144,7 +144,7 @@ class Caster {
       const double margin = 3 * moved / std::min(depth, face.depth);
       const Cover cover = cover_of(face.image, face.box, at, margin);
       if (cover == Cover::no) {
-        // Of a face that is not planar a part may be beside its outline.
+        // A part of a non-planar face may be outside its outline.
         if (is_rough(face) && may_fold_over(number, is_own, p, to_eye, at, margin)) result = Sight::unclear;
         continue;
       }
@@ -152,7 +152,7 @@ class Caster {
       const double beyond = dot(face.normal, p - face.middle);
       if (std::abs(beyond) <= 4 * moved + face.deviation || is_own) {
         bool clear = !is_own && flat_with_one_of(own, number);
-        // One that is not planar may hide its own edge.
+        // A non-planar face may hide its own edge.
         if (is_own) clear = face.deviation <= rounding_ || std::abs(facing) * face.height >= 4 * face.deviation;
         if (is_rough(face)) clear = !may_fold_over(number, is_own, p, to_eye, at, margin);
         if (!clear) result = Sight::unclear;
@@ -169,8 +169,8 @@ class Caster {
   }
 
  private:
-  // Whether a face continues one of those in its plane, as far as the file can tell: then it does not hide their edges either.
-  // If the plane is seen edge-on, the edge nearest to the eye is on the same place of the paper.
+  // Whether a face lies in the plane of one of `own`, within the precision of the file: then it does not hide their edges
+  // either. If the plane is seen edge-on, the edge nearest to the eye is at the same place of the paper.
   [[nodiscard]] bool flat_with_one_of(const std::vector<std::uint32_t>& own, std::uint32_t number) const {
     return std::any_of(own.begin(), own.end(), [&](std::uint32_t one) {
       const auto& corners = mesh_.faces[number];
@@ -204,7 +204,7 @@ class Caster {
     return face;
   }
 
-  // Whether a point is on a side of a triangle and at none of its vertices.
+  // Whether a point is on a side of a triangle but at none of its vertices.
   [[nodiscard]] bool inside_side(const Point3& p, const std::array<std::size_t, 3>& triangle,
                                  const std::vector<std::uint32_t>& corners) const {
     bool on_side = false;
@@ -217,7 +217,7 @@ class Caster {
     return on_side;
   }
 
-  // Whether a triangle of a face that is not planar may be before the point, however the face is divided into triangles.
+  // Whether a triangle of a non-planar face may be in front of the point, for some division of the face into triangles.
   // `is_own`: the point is on a side of the face, and the triangle at that side does not hide it.
   [[nodiscard]] bool may_fold_over(std::uint32_t number, bool is_own, const Point3& p, const Point3& to_eye,
                                    const Point2& at, double margin) const {
@@ -263,7 +263,7 @@ class Caster {
     grid_.resize(cells_ * cells_);
     for (std::uint32_t number = 0; number < faces_.size(); ++number) {
       const Face& face = faces_[number];
-      // More than any margin: a thousandth of the image.
+      // Larger than any margin: a thousandth of the image.
       const double wide = 1e-3 * box_.longer();
       for (std::size_t y = cell(face.box.low[1] - wide, 1); y <= cell(face.box.high[1] + wide, 1); ++y)
         for (std::size_t x = cell(face.box.low[0] - wide, 0); x <= cell(face.box.high[0] + wide, 0); ++x)
@@ -291,9 +291,9 @@ class Caster {
 struct Edge {
   std::uint32_t from = 0;
   std::uint32_t to = 0;
-  std::vector<std::uint32_t> faces;  // ascending, each as often as it has the edge
-  std::vector<Point3> inwards;       // of each: square to the edge, from it into the face
-  bool is_line = false;              // of the file, with or without faces
+  std::vector<std::uint32_t> faces;  // ascending, each once per occurrence of the edge
+  std::vector<Point3> inwards;       // for each face: perpendicular to the edge, from it into the face
+  bool is_line = false;              // a line of the file, with or without faces
 };
 
 std::vector<Edge> edges_of(const PlainMesh& mesh, const Caster& caster) {
@@ -321,14 +321,14 @@ std::vector<Edge> edges_of(const PlainMesh& mesh, const Caster& caster) {
   return result;
 }
 
-// Vertices in cells of one size, for the question which are near.
+// Vertices in a grid of cells, to find those near a point.
 class NearVertices {
  public:
   NearVertices(const PlainMesh& mesh, double cell) : mesh_(mesh), cell_(cell) {
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) cells_[key(mesh.vertices[v])].push_back(v);
   }
 
-  // The one within this distance of a place; none: no vertex, or more than one.
+  // The only vertex within this distance of a point; nothing if there is none or more than one.
   [[nodiscard]] std::optional<std::uint32_t> only_at(const Point3& p, double reach) const {
     std::optional<std::uint32_t> found;
     for (int corner = 0; corner < 8; ++corner) {
@@ -345,7 +345,7 @@ class NearVertices {
     return found;
   }
 
-  // Vertices nearer to the edge than this, without its ends.
+  // Vertices nearer to the edge than `reach`, without its ends.
   [[nodiscard]] std::vector<std::uint32_t> about(const Edge& edge, double reach) const {
     std::vector<std::uint32_t> found;
     const Point3& a = mesh_.vertices[edge.from];
@@ -387,7 +387,7 @@ Need need_of(const Edge& edge, const PlainMesh& mesh, const Caster& caster, cons
   for (const std::uint32_t face : edge.faces) height = std::min(height, caster.face(face).height);
   if (height < 8 * rounding) return Need::unclear;
   if (edge.is_line || edge.faces.size() != 2) return Need::yes;
-  if (edge.faces[0] == edge.faces[1]) return Need::no;  // a bridge to a hole of one face
+  if (edge.faces[0] == edge.faces[1]) return Need::no;  // both sides belong to one face: a bridge to a hole
   if (caster.is_rough(caster.face(edge.faces[0])) || caster.is_rough(caster.face(edge.faces[1]))) return Need::unclear;
   const double error =
       4 * (rounding + mesh.precision) / height + 1e-4;  // of a direction, which may be that of a larger flat surface
@@ -397,7 +397,7 @@ Need need_of(const Edge& edge, const PlainMesh& mesh, const Caster& caster, cons
   const Point3 side = unit(cross(b - a, projection.to_eye(0.5 * (a + b))));
   const double first = dot(edge.inwards[0], side);
   const double second = dot(edge.inwards[1], side);
-  // What the precision of the file explains may be one flat surface.
+  // Within the precision of the file the faces may be one flat surface.
   const bool may_be_flat = bend < error || std::sin(bend) * height < 8 * mesh.precision;
   const bool may_be_crease = bend > crease_angle - error;
   const bool is_clear = std::min(std::abs(first), std::abs(second)) >= error;
@@ -405,7 +405,7 @@ Need need_of(const Edge& edge, const PlainMesh& mesh, const Caster& caster, cons
   return may_be_crease || (!is_clear && !may_be_flat) ? Need::unclear : Need::no;
 }
 
-// How the image is placed on the paper: p = scale * image + shift.
+// The position of the image on the paper: p = scale * image + shift.
 struct Placing {
   double scale = 0;
   Point2 shift{};
@@ -418,7 +418,7 @@ struct Placing {
   }
 };
 
-// Of a mesh whose image is a line along an axis: from end to end.
+// For a mesh whose image is a line along an axis: matches both ends.
 Placing placing_of_line(const std::vector<PlainStroke>& strokes, const Projection& projection) {
   Box paper;
   Box image;
@@ -432,7 +432,7 @@ Placing placing_of_line(const std::vector<PlainStroke>& strokes, const Projectio
   return {scale, {paper.low[0] - scale * image.low[0], paper.low[1] - scale * image.low[1]}};
 }
 
-// Least squares over the distances of the ends of strokes from the lines of their source edges: an end is anywhere on its edge.
+// Least squares over the distances of stroke ends from the lines of their source edges: an end may be anywhere on its edge.
 Placing placing_of(const std::vector<PlainStroke>& strokes, const Projection& projection, double smallest) {
   std::array<std::array<double, 4>, 3> sums{};
   for (const PlainStroke& stroke : strokes) {
@@ -463,7 +463,7 @@ Placing placing_of(const std::vector<PlainStroke>& strokes, const Projection& pr
   return {sums[2][3] / sums[2][2], {sums[0][3] / sums[0][0], sums[1][3] / sums[1][1]}};
 }
 
-// Strokes by cells of the paper.
+// Strokes in a grid of cells of the paper.
 class StrokesOnPaper {
  public:
   explicit StrokesOnPaper(const std::vector<PlainStroke>& strokes) {
@@ -480,7 +480,7 @@ class StrokesOnPaper {
     }
   }
 
-  // Of the nearest visible stroke, up to 1 mm; infinity beyond.
+  // The distance from the nearest visible stroke, up to 1 mm; infinity beyond.
   [[nodiscard]] double distance_of(const Point2& p) const {
     double nearest = infinity;
     for (const PlainStroke* stroke : about(p))
@@ -488,9 +488,9 @@ class StrokesOnPaper {
     return nearest;
   }
 
-  // Another stroke on which two places of a stroke are, too; null: none.
+  // Another stroke that contains both points of a stroke; null if there is none.
   [[nodiscard]] const PlainStroke* other_on(const PlainStroke& one, const Point2& p, const Point2& q) const {
-    constexpr double written = 3e-6;  // mm: what the digits of --strokes explain
+    constexpr double written = 3e-6;  // mm: the precision of --strokes
     for (const PlainStroke* stroke : about(p)) {
       if (stroke != &one && distance(p, stroke->from, stroke->to) <= written &&
           distance(q, stroke->from, stroke->to) <= written)
@@ -563,7 +563,7 @@ class Check {
     return size;
   }
 
-  // From 0 to below 1, the same with every library.
+  // In [0, 1), the same with every library.
   double random() { return static_cast<double>(engine_()) / 4294967296.0; }
 
   void note(const std::string& fault) {
@@ -584,12 +584,12 @@ class Check {
     return text.str();
   }
 
-  // How far a point may be from its place on the paper.
+  // The largest expected error of a point's position on the paper.
   [[nodiscard]] double tolerance(const Point3& p) const {
     return 2 * rounding_ / projection_.depth(p) * placing_.scale + paper_tolerance;
   }
 
-  // Each end of a stroke is on one of its edges, and each of its edges is somewhere on the stroke.
+  // Each end of a stroke must be on one of its edges, and each of its edges must touch the stroke.
   void check_residual() {
     for (const PlainStroke& stroke : strokes_) {
       double from = infinity;
@@ -609,8 +609,8 @@ class Check {
     }
   }
 
-  // Edges near vertices that are not theirs, and edges that are a part of such an edge, as where a vertex of one face divides
-  // the side of another one: ascending numbers.
+  // Numbers, ascending, of edges near vertices that are not their ends, and of edges that are part of such an edge, as where a
+  // vertex of one face divides the side of another.
   [[nodiscard]] std::set<std::size_t> edges_near_vertices() const {
     std::set<std::size_t> result;
     std::vector<std::vector<std::size_t>> edges_at(mesh_.vertices.size());
@@ -646,7 +646,7 @@ class Check {
       const Point3& a = mesh_.vertices[edge.from];
       const Point3& b = mesh_.vertices[edge.to];
       const double size = placing_.scale * length(projection_.image(b) - projection_.image(a));
-      if (size <= 2 * paper_tolerance) continue;  // seen end-on: a point is no line
+      if (size <= 2 * paper_tolerance) continue;  // seen end-on: its image is a point
       const int count = static_cast<int>(std::clamp(size / 5, 2.0, 12.0));
       for (int i = 0; i < count; ++i) {
         const double s = (i + random()) / count;
@@ -661,20 +661,20 @@ class Check {
     }
   }
 
-  // The point of an edge whose image is nearest to a place of the image; `off`: how far its image is from it there.
+  // The point of an edge whose image is nearest to a point of the image; `off`: the distance that remains there.
   [[nodiscard]] Point3 point_at(const std::array<Point3, 2>& edge, const Point2& image, double& off) const {
     const Point2 a = projection_.image(edge[0]);
     const Point2 along = projection_.image(edge[1]) - a;
     const double square = dot(along, along);
     const double t = square > 0 ? std::clamp(dot(image - a, along) / square, 0.0, 1.0) : 0;
     off = length(image - Point2{a[0] + t * along[0], a[1] + t * along[1]});
-    // Equal steps of the image are no equal steps of the edge.
+    // In perspective, equal steps of the image are unequal steps of the edge.
     const double w0 = (1 - t) / projection_.depth(edge[0]);
     const double w1 = t / projection_.depth(edge[1]);
     return (w0 / (w0 + w1)) * edge[0] + (w1 / (w0 + w1)) * edge[1];
   }
 
-  // The faces at an edge of the mesh; empty if the ends are those of none.
+  // The faces at an edge of the mesh; empty if no edge has these ends.
   [[nodiscard]] const std::vector<std::uint32_t>& faces_at(const std::array<Point3, 2>& ends) const {
     static const std::vector<std::uint32_t> none;
     const auto from = near_.only_at(ends[0], 2 * rounding_);
@@ -704,8 +704,8 @@ class Check {
     }
   }
 
-  // Whether they have edges on one line of the image. Short strokes of edges at an acute angle are as near to each other as the
-  // digits of --strokes can tell; their edges are not.
+  // Whether the strokes have edges on one line of the image. Strokes of edges at an acute angle may overlap within the digits of
+  // --strokes although their edges do not.
   [[nodiscard]] bool on_one_line(const PlainStroke& one, const PlainStroke& other) const {
     constexpr double exact = 1e-9;  // mm
     for (const auto& first : one.edges) {
@@ -746,7 +746,7 @@ class Check {
       double off = 0;
       const Point3 p = point_at(edge, image, off);
       if (off * placing_.scale > tolerance(p)) continue;
-      // A small step on the paper is a large one on an edge that points to the eye.
+      // A small step on the paper is a large one on an edge that points towards the eye.
       const double foreshortened = length(projection_.image(edge[1]) - projection_.image(edge[0])) * projection_.depth(p);
       const double blur = foreshortened > 0 ? paper_tolerance / placing_.scale * projection_.depth(p) *
                                                   length(edge[1] - edge[0]) / foreshortened

@@ -1,4 +1,4 @@
-// The check by rays itself: it takes a right drawing, and finds each kind of fault. The drawings are made by hand.
+// Tests of the check by rays: it accepts a correct drawing and finds each kind of fault. The drawings are made by hand.
 #include "tests/support/ray_check.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@
 namespace sightline::tests {
 namespace {
 
-// A square before a longer bar, seen along -z: the square hides the middle of the bar.
+// A square in front of a longer bar, seen along -z: the square hides the middle of the bar.
 PlainMesh square_before_bar() {
   PlainMesh mesh;
   mesh.vertices = {{-1, -1, 0},    {1, -1, 0},    {1, 1, 0},    {-1, 1, 0},
@@ -28,7 +28,7 @@ PlainMesh square_before_bar() {
   return mesh;
 }
 
-// 10 mm for one unit, the origin at 50,50.
+// 10 mm per unit, the origin at 50,50.
 Point2 paper(double x, double y) {
   return {50 + 10 * x, 50 + 10 * y};
 }
@@ -49,7 +49,7 @@ class RayCheck : public ::testing::Test {
     add(5, 6, 0, 1, false);
     add(7, 4, 0, 1, false);
   }
-  // The part of an edge.
+  // Adds a stroke for a part of an edge.
   void add(std::uint32_t from, std::uint32_t to, double low, double high, bool hidden) {
     const Point3& a = mesh.vertices[from];
     const Point3& b = mesh.vertices[to];
@@ -96,7 +96,7 @@ TEST_F(RayCheck, AVisibleStrokeThatIsDashedIsFound) {
   EXPECT_GT(report().visible_dashed, 1U);
 }
 
-// A line of the file behind the square is hidden by it.
+// The square hides the line of the file behind it.
 TEST_F(RayCheck, ALineIsAnEdge) {
   mesh.vertices.insert(mesh.vertices.end(), {{-3, 0, -2}, {3, 0, -2}});
   mesh.lines.push_back({8, 9});
@@ -117,7 +117,7 @@ TEST_F(RayCheck, AStretchOfPaperThatIsDrawnTwiceIsFound) {
   EXPECT_EQ(report().hidden_drawn, 0U);
 }
 
-// Where one of its edges is hidden another one is not.
+// A stroke is correct if one of its edges is visible.
 TEST_F(RayCheck, AStrokeOfSeveralEdgesIsRight) {
   strokes.erase(strokes.begin() + 7, strokes.begin() + 10);
   strokes.erase(strokes.begin() + 4, strokes.begin() + 7);
@@ -141,7 +141,7 @@ TEST_F(RayCheck, PerspectiveHidesMore) {
   view.perspective = true;
   view.eye = {0, 0, 2};
   strokes.clear();
-  // The bar is 3 from the eye, the square 2: the ends at 2 appear at 4/3 of the square's depth.
+  // The bar is 3 from the eye, the square 2: the bar's ends at 2 appear at 4/3 on the square's plane.
   const auto add_seen = [&](std::uint32_t from, std::uint32_t to, const Point2& p, const Point2& q) {
     strokes.push_back({p, q, false, "boundary", {{mesh.vertices[from], mesh.vertices[to]}}});
   };
@@ -160,12 +160,12 @@ TEST_F(RayCheck, PerspectiveHidesMore) {
   add_seen(7, 4, paper(-near, high), paper(-near, -high));
   const RayReport found = report();
   EXPECT_TRUE(found.good()) << (found.faults.empty() ? "" : found.faults.front());
-  // Without perspective more of the bar would be seen.
+  // Without perspective more of the bar would be visible.
   strokes[4].to = paper(-0.4, -high);
   EXPECT_FALSE(report().good());
 }
 
-// Of a cube, seen along (-1,-1,-1): three creases that meet before, six silhouettes; the three behind are hidden.
+// A cube seen along (-1,-1,-1): three creases that meet in front, six silhouette edges; the three edges behind are hidden.
 TEST_F(RayCheck, ACubeHasNineVisibleEdges) {
   mesh.vertices.clear();
   for (int corner = 0; corner < 8; ++corner)
@@ -188,7 +188,7 @@ TEST_F(RayCheck, ACubeHasNineVisibleEdges) {
   EXPECT_GT(report().hidden_drawn, 0U);
 }
 
-// A vertex in the middle of another face's side: whether the two halves are one edge with it is for mending to say.
+// A vertex in the middle of another face's side: mending decides whether the two halves and the side are one edge.
 TEST_F(RayCheck, AVertexOnASideLeavesTheSideOpen) {
   mesh.vertices.insert(mesh.vertices.end(), {{0, -1, 0}, {0, -2, 0.5}});
   mesh.faces.push_back({0, 8, 9});

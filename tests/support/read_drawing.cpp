@@ -83,7 +83,7 @@ DrawnLines lines_of_hpgl(const std::string& hpgl) {
 }
 
 DrawnLines lines_of_steps(const std::string& steps) {
-  // Clockwise from +y; then up and down, and the end of the file (emulators/devices/calcomp565.hpp).
+  // Clockwise from +y; then pen up, pen down and the end of the file (emulators/devices/calcomp565.hpp).
   constexpr std::array<std::array<int, 2>, 8> directions{{{0, 1}, {1, 1}, {1, 0}, {1, -1}, {0, -1}, {-1, -1}, {-1, 0}, {-1, 1}}};
   DrawnLines lines;
   std::pair<double, double> pen;

@@ -25,7 +25,7 @@ using scene::PolyPoint;
 using scene::PolyScene;
 using scene::VertexIndex;
 
-// What shrinks, most important first. Every step that is taken makes it smaller, so there is an end.
+// The size of a scene, most important component first. Every accepted step decreases it, so the loop ends.
 using Size = std::array<std::uint64_t, 7>;
 
 std::uint64_t length(const PolyPoint& p) {
@@ -59,7 +59,7 @@ Size size_of(const PolyScene& scene) {
           coordinates};
 }
 
-// Unused vertices go, equal ones become one, the others are numbered as they are met.
+// Removes unused vertices, merges equal ones, and numbers the others in order of use.
 void tidy_vertices(PolyScene& scene) {
   std::map<PolyPoint, VertexIndex> numbers;
   std::vector<PolyPoint> kept;
@@ -110,7 +110,7 @@ class Shrinker {
   }
 
  private:
-  // Takes the scene that `change` makes of the best one if it is smaller, possible, and shows the defect.
+  // Accepts the scene that `change` makes of the best one if it is smaller, valid, and shows the defect.
   template <class Change>
   bool attempt(Change change) {
     PolyScene candidate = best_;
@@ -125,7 +125,7 @@ class Shrinker {
     return true;
   }
 
-  // Half of them at a time, then a quarter, and so on: big scenes get small quickly.
+  // Removes half of the elements at a time, then a quarter, and so on: large scenes shrink quickly.
   template <class List>
   void leave_out_of(List list) {
     for (std::size_t count = (list(best_).size() + 1) / 2; count > 0; count /= 2) {
@@ -148,7 +148,7 @@ class Shrinker {
     }
   }
 
-  // A sheet with one face less, of which more may go later; if none can, a sheet with all of them.
+  // Tries a sheet with one face less, which may lose more later; if none works, a sheet with all faces.
   void leave_out_solid(std::size_t b) {
     for (std::size_t f = 0; f < best_.bodies[b].faces.size(); ++f) {
       if (attempt([&](PolyScene& scene) {
@@ -203,14 +203,14 @@ class Shrinker {
     }
   }
 
-  // In order, each once.
+  // Ascending, each once.
   [[nodiscard]] std::vector<std::int32_t> values_on(std::size_t axis) const {
     std::set<std::int32_t> values;
     for (const PolyPoint& p : best_.vertices) values.insert(p[axis]);
     return {values.begin(), values.end()};
   }
 
-  // Planes across an axis stay planes when all their vertices move together.
+  // Planes perpendicular to an axis stay planes when all their vertices move together.
   void move_shared_coordinates() {
     for (std::size_t a = 0; a < 3; ++a) {
       for (const std::int32_t value : values_on(a)) {
@@ -234,7 +234,7 @@ class Shrinker {
     }
   }
 
-  // The smallest first: 0, half, one less, and the other sign of a negative one.
+  // Tries the smallest first: 0, half, one less, and the opposite sign of a negative value.
   template <class Change>
   void make_smaller(std::int32_t value, Change change) {
     const std::int32_t step = value > 0 ? -1 : 1;

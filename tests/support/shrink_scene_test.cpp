@@ -1,4 +1,4 @@
-// The shrinker, shown defects that are there for certain: programs that see wrongly, on purpose.
+// The shrinker, given programs that are wrong on purpose, so that the defect certainly exists.
 #include "tests/support/shrink_scene.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using algorithms::exact::visible_edges;
 using scene::PolyBody;
 using scene::PolyScene;
 
-// Defect: a body hides nothing of another one.
+// Defect: a body does not hide other bodies.
 bool misses_other_bodies(const PolyScene& scene) {
   const picture::LinePicture truth = visible_edges(scene, scene.camera);
   PolyScene part = scene;
@@ -32,7 +32,7 @@ bool misses_other_bodies(const PolyScene& scene) {
   return pieces > truth.pieces.size();
 }
 
-// Defect: sheets have no holes, so that what is behind them is not seen through them.
+// Defect: the holes of sheets are ignored, so that nothing is seen through them.
 bool fills_holes(const PolyScene& scene) {
   PolyScene filled = scene;
   for (PolyBody& body : filled.bodies) {
@@ -41,7 +41,7 @@ bool fills_holes(const PolyScene& scene) {
   }
   const picture::LinePicture truth = visible_edges(scene, scene.camera);
   const picture::LinePicture wrong = visible_edges(filled, scene.camera);
-  // Not the edges of the holes themselves: of outlines only.
+  // Edges of outlines only, not of the holes themselves.
   const auto has_edge = [&](const picture::LinePiece& piece) {
     for (const PolyBody& body : filled.bodies) {
       for (const scene::PolyFace& face : body.faces) {
@@ -70,7 +70,7 @@ std::int32_t largest_coordinate(const PolyScene& scene) {
   return largest;
 }
 
-// `wanted` scenes that show the defect, of at least three bodies.
+// Runs `wanted` scenes of at least three bodies that show the defect.
 template <class Check>
 void shrink_random_scenes(const ShowsDefect& shows_defect, int wanted, Check check) {
   int found = 0;
@@ -135,7 +135,7 @@ TEST(ShrinkScene, WhatADefectNeedsStays) {
   EXPECT_LE(largest_coordinate(small), 1);
 }
 
-// What is saved is read again as it was, camera and all.
+// A saved scene is read back unchanged, including the camera.
 TEST(ShrinkScene, TheResultIsAFile) {
   shrink_random_scenes(misses_other_bodies, 1, [](const PolyScene& small) {
     const auto text = scene::write_poly(small, scene::PolyFormat::json);

@@ -27,7 +27,7 @@ void enter_defines(I8080Program& program, const I8080Options& options) {
 }
 
 void lay_out(I8080Program& program, const I8080Options& options, std::size_t sources, int& number) {
-  // Enough for chains of EQUs that refer forward; a longer one is refused as not settling.
+  // Enough for chains of EQUs that refer forward. A longer chain is an error.
   constexpr int most_layout_passes = 16;
   std::size_t unknown = 0;
   program.modules.resize(sources);
@@ -47,7 +47,7 @@ void lay_out(I8080Program& program, const I8080Options& options, std::size_t sou
     unknown = program.unknown_equates;
     I8080Pass(options, program, number++, false).run(sources);
   } while (number <= most_layout_passes &&
-           (program.values_moved ||
+           (program.values_changed ||
             (program.unknown_equates > 0 && (number == 2 || program.unknown_equates < unknown))));
 }
 

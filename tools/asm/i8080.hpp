@@ -1,5 +1,5 @@
 // The 8080 assembler: the language of Intel's ASM80, CP/M's ASM and MAC and Microsoft's MACRO-80, for one absolute program.
-// Where these differ i8080/dialect.hpp says how each is read.
+// i8080/dialect.hpp states how each reads a source where they differ.
 //
 // clang-format off
 //   label:  OP args ; comment      the colon may be left out when the label begins in column 1
@@ -19,26 +19,26 @@
 //   REPT n, IRP p,<a,b>, IRPC p,text
 //   & <...> %expr ^c ;; NUL        in macros and their arguments
 //
-// Decisions where the assemblers differ or are error-prone:
+// Decisions where the assemblers differ or invite errors:
 // - Every character of a name counts. Names of registers are their values: MOV 7,0 is MOV A,B. A mnemonic in
-//   an expression is its opcode: MVI A,(RET). LXI HL and LXI DE are taken for LXI H and LXI D.
-// - A byte is -128 to 255; a pattern made by NOT may also have FF above it, in parentheses and by way of an
-//   EQU too (ANI NOT 80H).
-// - A lone string of any length is data in DB and DC; elsewhere one or two characters are a number, 'AB' is
+//   an expression is its opcode: MVI A,(RET). LXI HL and LXI DE are read as LXI H and LXI D.
+// - A byte is -128 to 255. The result of NOT may also have FF in its high byte, in parentheses or through an
+//   EQU, too (ANI NOT 80H).
+// - A string alone, of any length, is data in DB and DC; elsewhere one or two characters are a number, 'AB' is
 //   4142H. DC adds 80H to the last character.
-// - EQU and instructions may refer forward, ORG, DS, IF, REPT and %expr may not.
+// - EQU and instructions may refer forward; ORG, DS, IF, REPT and %expr must not.
 // - A second byte for one address draws a warning and replaces the first.
-// - END ends the file it is in. Segments (ASEG CSEG DSEG) have one location. There is no linker: beside other sources, the names of
-//   one that has PUBLIC or EXTRN are its own but for those that it declares.
-// - A label with a colon may have the name of an instruction, a register or an operator between operands; in operands that are
-//   registers it is the register.
-// - An equal definition of a label or EQU, and an IF open at ENDM or END, draw a warning.
-// - A name of a directive is free as a label written with its colon. One that changes nothing (NAME, TITLE,
+// - END ends the file it is in. Segments (ASEG CSEG DSEG) share one location counter. There is no linker: if a source
+//   with PUBLIC or EXTRN is assembled with other sources, its undeclared names are local to it.
+// - A label with a colon may have the name of an instruction, a register or an infix operator; in an operand that must be
+//   a register, the name means the register.
+// - A second, equal definition of a label or EQU, and an IF open at ENDM or END, draw a warning.
+// - A label with a colon may have the name of a directive. A directive without effect (NAME, TITLE,
 //   PAGE, ENTRY, GLOBAL) is also a label in column 1 before an instruction, DB, DW, DS or DC, as in CP/M's
-//   ASM. An indented TITLE or SUBTTL is the directive whatever its text is.
-// - -D NAME=VALUE wins over the source's own EQU or SET, which so becomes its default.
+//   ASM. An indented TITLE or SUBTTL is always the directive.
+// - -D NAME=VALUE overrides an EQU or SET of the source, which thus gives the default.
 // - A line has at most 16384 characters, also after expansion.
-// Left out: Z80 mnemonics, relocation.
+// Not supported: Z80 mnemonics, relocation.
 // clang-format on
 #pragma once
 
@@ -64,19 +64,19 @@ struct I8080Define {
   std::uint16_t value = 0;
 };
 
-// "NAME=VALUE", VALUE a number as in a source, with a leading minus allowed; else "found ..., expected ...".
+// "NAME=VALUE", VALUE a number as in a source, optionally with a minus sign; else "found ..., expected ...".
 [[nodiscard]] base::Result<I8080Define> parse_i8080_define(std::string_view text);
 
-// The text of a file; empty if it cannot be read. It is asked for the name in INCLUDE beside the
-// including file first as written, then in lower case; for MACLIB also with .LIB and .lib behind it.
+// Returns the text of a file, or nothing if it cannot be read. For INCLUDE the assembler tries the name as written, then in
+// lower case, in the folder of the including file; for MACLIB also with .LIB and .lib appended.
 using IncludeReader = std::function<std::optional<std::string>(const std::string& path)>;
 
 struct I8080Options {
   std::vector<I8080Define> defines;
-  IncludeReader include;  // without one every INCLUDE is an error
+  IncludeReader include;  // if empty, every INCLUDE is an error
   bool listing = true;
   I8080Dialect dialect = I8080Dialect::common;
-  // In one pass, with all expansions and the rows of DS n,x: what takes more does not end.
+  // Limit of lines in one pass, including expansions and the rows of DS n,x: stops endless repeats and macros.
   std::size_t most_lines = 2'000'000;
 };
 
@@ -98,7 +98,7 @@ struct I8080Assembly {
   std::vector<Diagnostic> diagnostics;  // in the order of assembly
 
   [[nodiscard]] bool ok() const { return !any_errors(diagnostics); }
-  // By the assembler's own rule: any case, `$` ignored.
+  // Compares names as the assembler does: any case, `$` ignored.
   [[nodiscard]] std::optional<std::uint16_t> value_of(std::string_view name) const;
 };
 
@@ -106,7 +106,7 @@ struct I8080Assembly {
 [[nodiscard]] I8080Assembly assemble_i8080(std::span<const SourceFile> sources,
                                            const I8080Options& options = {});
 
-// One `name value` a line, the value in four hexadecimal digits.
+// One line `name value` per symbol, the value in four hexadecimal digits.
 [[nodiscard]] std::string write_i8080_symbols(std::span<const I8080Symbol> symbols);
 
 }  // namespace sightline::assembler

@@ -10,11 +10,11 @@
 namespace sightline::assembler {
 
 struct ListingLine {
-  std::string address;  // empty if the line makes no word
+  std::string address;  // empty if the line assembles to no word
   std::string code;
-  std::string source;  // the source line, or what an extra word of it stands for
-  std::string file = {};     // of a line that makes words: where it was written; empty for what no line of a source made
-  std::size_t line_number = 0;  // there, from 1
+  std::string source;  // the source line, or the literal or variable for which the assembler adds a word
+  std::string file = {};     // the source file; empty if the word comes from no source line
+  std::size_t line_number = 0;  // the line in that file, from 1
 
   friend bool operator==(const ListingLine&, const ListingLine&) = default;
 };

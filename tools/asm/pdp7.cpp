@@ -22,7 +22,7 @@ void enter(SymbolTable& symbols, std::string_view name, std::uint32_t value, For
   symbol.form = static_cast<int>(form);
 }
 
-SymbolTable table_of(Dialect dialect) {
+SymbolTable make_symbol_table(Dialect dialect) {
   return dialect == Dialect::bell ? SymbolTable(8, false) : SymbolTable(6);
 }
 
@@ -40,7 +40,7 @@ void enter_permanent_symbols(SymbolTable& symbols) {
   enter(symbols, "i", pdp7::indirect_bit, Form::indirect, SymbolKind::permanent);
 }
 
-// What must not change any more before words can be made.
+// Everything that must be the same in two successive passes before words are made.
 auto layout(const Pdp7Program& program) {
   std::map<std::string, std::optional<std::uint32_t>> values;
   for (const auto& [key, symbol] : program.symbols) values.emplace(key, symbol.value);
@@ -75,9 +75,9 @@ std::vector<ListingLine> make_listing(std::span<const SourceFile> sources,
       bool shown = false;
       for (; next < words.size() && words[next].at.file == file && words[next].at.line == number; ++next) {
         const EmittedWord& word = words[next];
-        if (!shown && !word.stands_for.empty()) listing.push_back({"", "", std::string(line)});
+        if (!shown && !word.generated_source.empty()) listing.push_back({"", "", std::string(line)});
         listing.push_back(
-            line_of(word, shown || !word.stands_for.empty() ? word.stands_for : std::string(line)));
+            line_of(word, shown || !word.generated_source.empty() ? word.generated_source : std::string(line)));
         listing.back().file = sources[file].name;
         listing.back().line_number = number;
         shown = true;
@@ -85,7 +85,7 @@ std::vector<ListingLine> make_listing(std::span<const SourceFile> sources,
       if (!shown) listing.push_back({"", "", std::string(line)});
     }
   }
-  for (; next < words.size(); ++next) listing.push_back(line_of(words[next], words[next].stands_for));
+  for (; next < words.size(); ++next) listing.push_back(line_of(words[next], words[next].generated_source));
   return listing;
 }
 
@@ -126,7 +126,7 @@ base::Result<Define> parse_define(std::string_view text) {
 }
 
 std::optional<core::Word18> Assembly::value_of(std::string_view name) const {
-  const SymbolTable rule = table_of(dialect);
+  const SymbolTable rule = make_symbol_table(dialect);
   const std::string key = rule.key(name);
   for (const ProgramSymbol& symbol : symbols) {
     if (rule.key(symbol.name) == key) return symbol.value;
@@ -142,7 +142,7 @@ Assembly assemble_pdp7(std::span<const SourceFile> sources, const Options& optio
   Pdp7Program program;
   program.modules.resize(sources.size());
   const auto begin = [&] {
-    program.symbols = table_of(options.dialect);
+    program.symbols = make_symbol_table(options.dialect);
     enter_permanent_symbols(program.symbols);
     if (bell) enter_bell_symbols(program.symbols);
     for (const Define& define : options.defines) {
@@ -151,7 +151,7 @@ Assembly assemble_pdp7(std::span<const SourceFile> sources, const Options& optio
     }
   };
   begin();
-  // Enough for a chain of forward references in literals that move one another; what takes longer does not settle.
+  // Enough for a chain of forward references in literals that move each other. A longer chain is an error.
   constexpr int most_layout_passes = 12;
   int pass = 0;
   const auto read = [&](bool final = false) {

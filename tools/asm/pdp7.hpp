@@ -11,23 +11,23 @@
 // them). A word such as START or TEXT is a pseudo-operation only as the first word of a statement and not
 // before `,` or `=`.
 //
-// Decisions where the manuals leave room or are error-prone:
+// Decisions where the manuals are silent or invite errors:
 // - Numbers are one's complement: -1 is 777776 (Options::twos_complement for 777777). The difference of two
 //   equal terms is +0; -0 is 777777. IFZERO takes both for zero.
 // - Microinstructions of one class (EAE, IOT, OPR) side by side are ORed, as the machine reads them; a sum
 //   would make 711101 of `spa cla`. Mixing skips of opposite sense warns: bit 1000 inverts all of them.
-// - What does not fit its field is an error: an address outside the bank, LAW above 17777 (so `law -3`, which
+// - A value that does not fit its field is an error: an address outside the bank, LAW above 17777 (so `law -3`, which
 //   a plain sum would turn into an OPR), a step count above 77.
 // - An undefined symbol is an error; `#x` or `x#`, or with `$` for `#`, at one of its uses makes it a variable.
 //   Options::undefined_are_variables gives DEC's rule, under which a typing error is a variable.
 // - Literals are pooled by value. They are placed at CONSTANTS, variables at VARIABLES (in alphabetical
 //   order), the rest at the end: literals, then variables.
-// - TEXT packs three characters of trimmed ASCII (lower case as upper) to a word, high first, filled up with
-//   00: the code of the Type 342. What follows START in a file is not read; what follows PAUSE is another tape.
-// - -D NAME=VALUE wins over the source's own NAME=..., which so becomes its default.
-// - PUNCH makes no difference: all words are written. EXTERNAL and INTERNAL must name what a source defines.
-// Left out: LIBFRM of the FORTRAN system, and what else the Cambridge dialect has. Constructs of --dialect bell are
-// refused with its name.
+// - TEXT packs three characters of trimmed ASCII (lower case as upper) into a word, high bits first, and fills the last
+//   word with 00: the code of the Type 342. The rest of a file after START is not read; PAUSE begins another tape.
+// - -D NAME=VALUE overrides an assignment NAME=... in the source, which thus gives the default.
+// - PUNCH has no effect: all words are written. EXTERNAL and INTERNAL must name symbols that a source defines.
+// Not supported: LIBFRM of the FORTRAN system, and the rest of the Cambridge dialect. A construct of --dialect bell
+// is an error that names the dialect.
 #pragma once
 
 #include <cstdint>
@@ -62,14 +62,14 @@ enum class Dialect : std::uint8_t {
 };
 
 struct Options {
-  Dialect dialect = Dialect::dec;  // `bell` has none of the other options but `defines`
+  Dialect dialect = Dialect::dec;  // of the other options `bell` uses only `defines`
   std::vector<Define> defines;
   bool twos_complement = false;
   bool undefined_are_variables = false;
   bool first_line_is_title = false;  // DEC's tapes: the first line of each file is a title, not assembled
 };
 
-// A symbol of the program (permanent ones are left out).
+// A symbol of the program; permanent symbols are not listed.
 struct ProgramSymbol {
   std::string name;  // as first written
   core::Word18 value;
@@ -87,14 +87,14 @@ struct Assembly {
   std::vector<Diagnostic> diagnostics;  // in the order of the source
 
   [[nodiscard]] bool ok() const { return !any_errors(diagnostics); }
-  // By the rule of the dialect: any case and six characters, or this case and eight.
+  // Compares names as the dialect does: any case and six characters, or the same case and eight characters.
   [[nodiscard]] std::optional<core::Word18> value_of(std::string_view name) const;
 };
 
 // The sources are read one after the other as the tapes of one program.
 [[nodiscard]] Assembly assemble_pdp7(std::span<const SourceFile> sources, const Options& options = {});
 
-// One `name value` a line, the value in six octal digits.
+// One line `name value` per symbol, the value in six octal digits.
 [[nodiscard]] std::string write_symbols(std::span<const ProgramSymbol> symbols);
 
 }  // namespace sightline::assembler

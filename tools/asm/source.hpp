@@ -1,4 +1,4 @@
-// Source texts and places in them, the same for every machine's assembler.
+// Source texts and positions in them, common to all assemblers.
 #pragma once
 
 #include <compare>
@@ -12,8 +12,8 @@ struct SourceFile {
   std::string text;
 };
 
-// A place in one of the files. Lines and columns count from 1, columns in bytes (a tab is one). Line 0 is no place in
-// a file: a symbol of the machine or of the command line.
+// A position in one of the files. Lines and columns count from 1, columns in bytes (a tab is one). Line 0 is outside all
+// files: a symbol of the machine or of the command line.
 struct Position {
   std::size_t file = 0;
   std::size_t line = 0;

@@ -21,7 +21,7 @@ Symbol& SymbolTable::operator[](std::string_view name) {
   return symbol;
 }
 
-// No name has a line break.
+// The separator is a line break, which no name contains.
 std::string SymbolTable::own_key(std::string_view name, std::size_t source) const {
   return key(name) + "\n" + std::to_string(source);
 }

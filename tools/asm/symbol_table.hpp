@@ -1,5 +1,5 @@
-// Symbols by name. Upper and lower case are the same unless the table is told otherwise, and only the first characters of a name count: two names that
-// agree in those are the same symbol. The table remembers how each was first written, for messages and listings.
+// Symbols by name. Upper and lower case are the same unless `any_case` is false. Only the first `significant` characters
+// count: two names that agree in those are the same symbol. The table remembers how each was first written.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@
 namespace sightline::assembler {
 
 enum class SymbolKind {
-  undefined,  // used, not (yet) defined
+  undefined,  // used, not yet defined
   permanent,  // of the machine
-  define,     // from the command line: keeps its value whatever the source assigns
+  define,     // from the command line: overrides assignments in the source
   tag,        // name, - the address of a word
   assigned,   // name=expression
   variable,   // a word the assembler reserves
@@ -25,11 +25,11 @@ struct Symbol {
   std::string name;  // as first written
   SymbolKind kind = SymbolKind::undefined;
   std::optional<std::uint32_t> value;  // nothing while unknown
-  int form = 0;                        // the front end's own note about the value
+  int form = 0;                        // set by the assembler that uses the table
   Position defined;
-  bool was_permanent = false;   // an assignment hides a symbol of the machine
+  bool was_permanent = false;   // an assignment replaced a symbol of the machine
   bool several_values = false;  // assigned differing values
-  int defined_in_pass = 0;      // the last pass that met its definition
+  int defined_in_pass = 0;      // the last pass that read its definition
 };
 
 class SymbolTable {
@@ -40,10 +40,10 @@ class SymbolTable {
   // Makes an undefined symbol if there is none.
   Symbol& operator[](std::string_view name);
   [[nodiscard]] const Symbol* find(std::string_view name) const;
-  // The same of a name that one source has for itself, beside that of all.
+  // The same for a name that is local to one source, separate from the name common to all.
   Symbol& own(std::string_view name, std::size_t source);
   [[nodiscard]] std::string own_key(std::string_view name, std::size_t source) const;
-  // By its key, or own key.
+  // By its key, common or local.
   Symbol& at_key(const std::string& key) { return symbols_[key]; }
   // Cut to the significant characters; in lower case if case does not matter.
   [[nodiscard]] std::string key(std::string_view name) const;

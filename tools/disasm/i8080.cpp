@@ -26,7 +26,7 @@ std::string upper_case(std::string_view text) {
   return upper;
 }
 
-// As the assembler reads it: a number begins with a digit.
+// As the assembler requires: a number begins with a digit.
 std::string number(std::uint32_t value, unsigned digits) {
   const std::string text = hexadecimal(value, digits) + "H";
   return text[0] > '9' ? "0" + text : text;

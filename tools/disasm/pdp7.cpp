@@ -35,29 +35,29 @@ std::uint32_t class_bits(Class c) {
   return c == Class::opr ? 0740000U : c == Class::eae ? 0640000U : 0700000U;
 }
 
-// True if `name` says something that is part of `word` and nothing that changes the sense of the rest.
-bool part_of(std::uint32_t name, std::uint32_t word, Class c) {
+// True if `name` is part of `word` and does not change the meaning of the other bits.
+bool is_part_of(std::uint32_t name, std::uint32_t word, Class c) {
   if ((name & ~word) != 0) return false;
   if (c != Class::opr) return true;
   if ((name & skips) != 0 && ((name ^ word) & skip_inverted) != 0) return false;
   return (name & rotates) == 0 || ((name ^ word) & rotate_twice) == 0;
 }
 
-// Skips first, HLT last, as the machine acts; the rest from the high bits down.
-std::uint32_t place_in_line(std::uint32_t name, Class c) {
+// Skips first and HLT last, in the order in which the machine acts; the others from the high bits down.
+std::uint32_t action_order(std::uint32_t name, Class c) {
   if (c != Class::opr) return name;
   const std::uint32_t bits = name & ~class_bits(c);
   return (bits & skips) != 0 ? 0100000U + bits : bits == halt ? 0U : bits;
 }
 
-// The fewest names whose OR is the word, found by taking the one that adds most bits each time.
+// The fewest names whose OR is the word: each step takes the name that adds most bits.
 std::vector<const Microinstruction*> names_of(std::uint32_t word, Class c) {
   std::vector<const Microinstruction*> names;
   for (std::uint32_t covered = class_bits(c); covered != word;) {
     const Microinstruction* best = nullptr;
     int most = 0;
     for (const Microinstruction& micro : pdp7::microinstructions) {
-      if (pdp7::instruction_of(micro.value).instruction_class != c || !part_of(micro.value, word, c))
+      if (pdp7::instruction_of(micro.value).instruction_class != c || !is_part_of(micro.value, word, c))
         continue;
       const int added = std::popcount(micro.value & ~covered);
       if (added > most) {
@@ -70,12 +70,12 @@ std::vector<const Microinstruction*> names_of(std::uint32_t word, Class c) {
     covered |= best->value;
   }
   std::sort(names.begin(), names.end(), [c](const auto* a, const auto* b) {
-    return place_in_line(a->value, c) > place_in_line(b->value, c);
+    return action_order(a->value, c) > action_order(b->value, c);
   });
   return names;
 }
 
-std::string joined(const std::vector<const Microinstruction*>& names) {
+std::string join_names(const std::vector<const Microinstruction*>& names) {
   std::string text;
   for (const Microinstruction* micro : names) text += (text.empty() ? "" : " ") + std::string(micro->name);
   return text;
@@ -92,8 +92,7 @@ std::optional<std::string> exact_name(std::uint32_t word) {
   return std::nullopt;
 }
 
-// Multiply, divide and normalise have their usual count in the name: mul-11 is a multiplication of nine
-// steps.
+// The names of multiply, divide and normalise include their usual step count: mul-11 is a multiplication of nine steps.
 std::optional<std::string> changed_count(std::uint32_t word) {
   for (const Microinstruction& micro : pdp7::microinstructions) {
     if ((micro.value & step_count_mask) == 0 || (micro.value & command_mask) == 0) continue;
@@ -109,13 +108,13 @@ std::optional<std::string> changed_count(std::uint32_t word) {
 std::optional<std::string> shift(std::uint32_t word) {
   const auto names = names_of(word & ~step_count_mask, Class::eae);
   if (names.empty()) return std::nullopt;
-  return joined(names) + " " + short_octal(word & step_count_mask);
+  return join_names(names) + " " + short_octal(word & step_count_mask);
 }
 
 std::optional<std::string> eae(std::uint32_t word, const pdp7::Instruction& row) {
   if (row.operation == pdp7::Operation::eae_setup) {
     const auto names = names_of(word, Class::eae);
-    return names.empty() ? std::nullopt : std::optional(joined(names));
+    return names.empty() ? std::nullopt : std::optional(join_names(names));
   }
   if (const auto counted = changed_count(word)) return counted;
   const bool shifts = row.operation == pdp7::Operation::eae_long_right ||
@@ -127,14 +126,14 @@ std::optional<std::string> eae(std::uint32_t word, const pdp7::Instruction& row)
 std::optional<std::string> opr(std::uint32_t word) {
   if ((word & rotates) == rotates) return std::nullopt;
   const auto names = names_of(word, Class::opr);
-  return names.empty() ? std::nullopt : std::optional(joined(names));
+  return names.empty() ? std::nullopt : std::optional(join_names(names));
 }
 
 bool alphanumeric(char c) {
   return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
 }
 
-// An instruction of DEC's language with its octal numbers as `as` reads them, with a leading 0.
+// Puts a leading 0 before the octal numbers of an instruction in DEC's language, as `as` expects.
 std::string with_leading_zeros(std::string_view text) {
   std::string result;
   for (std::size_t at = 0; at < text.size(); ++at) {

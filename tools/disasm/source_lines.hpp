@@ -1,5 +1,4 @@
-// The lines of a disassembly: an origin where addresses do not follow on, one word a line, its comment in a
-// column.
+// The lines of a disassembly: an origin before each run of consecutive addresses, one word per line, comments in one column.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +12,7 @@ namespace sightline::disassembler {
 
 class SourceLines {
  public:
-  // True if this address begins a new run of words. Every bank begins one: the location does not run over its
-  // end.
+  // True if this address begins a new run of words. Every bank begins one, because the location does not run over its end.
   bool origin_if_needed(std::uint32_t address) {
     const bool new_run = address != next_ || (address & image::field_mask) == 0;
     if (new_run) text_ += base::octal(address, 5) + "/\n";

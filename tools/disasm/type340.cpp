@@ -13,7 +13,7 @@ using base::octal;
 using core::Word18;
 using type340::Mode;
 
-// All numbers are octal, as in the word beside them and in sources; scale is the setting 0 to 3 with what it does.
+// All numbers are octal, as in the word and in sources. A scale is shown as its setting 0 to 3 with its factor.
 std::string number(unsigned value) {
   unsigned digits = 1;
   for (unsigned rest = value >> 3; rest != 0; rest >>= 3) ++digits;

@@ -46,13 +46,13 @@ base::Result<ByteImage> read_com(std::span<const std::uint8_t> bytes, std::strin
 
 base::Result<std::vector<std::uint8_t>> write_binary(const ByteImage& image, std::string_view file) {
   if (image.empty())
-    return base::Error{std::string(file), "", "a program without bytes", "something to write"};
+    return base::Error{std::string(file), "", "a program without bytes", "at least one byte"};
   return bytes_from(image, image.lowest());
 }
 
 base::Result<std::vector<std::uint8_t>> write_com(const ByteImage& image, std::string_view file) {
   if (image.empty())
-    return base::Error{std::string(file), "", "a program without bytes", "something to write"};
+    return base::Error{std::string(file), "", "a program without bytes", "at least one byte"};
   if (image.lowest() < com_origin) {
     return base::Error{std::string(file), "", "a byte at " + hexadecimal(image.lowest(), 4),
                        "a .com program from 0100 up"};

@@ -1,8 +1,7 @@
-// Memory of an 8080: 64K bytes, which of them a file or an assembly has given, and the raw forms that carry
-// them.
+// Memory of an 8080: 64K bytes, a record of which of them a file or an assembly has defined, and the raw file formats.
 //
-// .bin: the bytes from the lowest to the highest address given, gaps as 00; it carries no address. .com: a
-// CP/M program, the bytes from 0100 on, started there. Neither tells a byte of a gap from a byte 00.
+// .bin: the bytes from the lowest to the highest defined address, gaps as 00; it has no address. .com: a CP/M program,
+// the bytes from 0100 on, started there. Neither distinguishes a gap from a byte 00.
 #pragma once
 
 #include <cstddef>
@@ -27,11 +26,11 @@ class ByteImage {
   // A later byte for the same address replaces the earlier one.
   void put(std::uint16_t address, std::uint8_t byte);
 
-  // All 64K; what was not given is 00.
+  // All 64K; undefined bytes are 00.
   [[nodiscard]] std::span<const std::uint8_t> bytes() const { return bytes_; }
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] bool empty() const { return count_ == 0; }
-  // Of the bytes given; only when not empty.
+  // Of the defined bytes; the image must not be empty.
   [[nodiscard]] std::uint16_t lowest() const { return lowest_; }
   [[nodiscard]] std::uint16_t highest() const { return highest_; }
 
@@ -47,14 +46,13 @@ class ByteImage {
   std::uint16_t highest_ = 0;
 };
 
-// The bytes of a file at `address` and up. An error if there are none or if they run past FFFF.
+// Loads the bytes of a file from `address` upward. An error if there are none or if they run past FFFF.
 [[nodiscard]] base::Result<ByteImage> read_binary(std::span<const std::uint8_t> bytes, std::string_view file,
                                                   std::uint16_t address);
-// At 0100, with that start address.
+// Loads the file at 0100, which is also the start address.
 [[nodiscard]] base::Result<ByteImage> read_com(std::span<const std::uint8_t> bytes, std::string_view file);
 
-// Both fail on an image without bytes, write_com also on a byte below 0100 and on a start address other than
-// 0100.
+// Both fail on an image without bytes. write_com also fails on a byte below 0100 and on a start address other than 0100.
 [[nodiscard]] base::Result<std::vector<std::uint8_t>> write_binary(const ByteImage& image,
                                                                    std::string_view file);
 [[nodiscard]] base::Result<std::vector<std::uint8_t>> write_com(const ByteImage& image,

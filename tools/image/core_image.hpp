@@ -1,7 +1,7 @@
 // The core memory that a tape or an octal text loads: words at 15-bit addresses, and the start address.
 //
-// Sparse, because a loader writes only what it is given: a word that is absent keeps what core held before. A start
-// address belongs to the tape (a RIM tape ends with JMP start), not to core; the octal text has none.
+// Sparse, because a loader writes only the words of the tape: an absent word keeps the earlier contents of core. A start
+// address belongs to the tape (a RIM tape ends with JMP start), not to core; octal text has none.
 #pragma once
 
 #include <cstdint>

@@ -127,7 +127,7 @@ class IntelHexReader {
       const auto to = static_cast<std::uint16_t>(first + i);
       const std::uint8_t byte = bytes_[4 + i];
       if (image_.used(to) && image_[to] != byte) {
-        return problem(9 + 2 * i, "another byte for address " + hexadecimal(to, 4), "one value an address");
+        return problem(9 + 2 * i, "another byte for address " + hexadecimal(to, 4), "one value per address");
       }
       image_.put(to, byte);
     }

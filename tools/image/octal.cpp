@@ -21,7 +21,7 @@ std::optional<std::uint32_t> octal_digits(std::string_view text) {
   return value;
 }
 
-// A token as a message shows it: short, and without the bytes that would garble a terminal.
+// A token as a message shows it: short, and without bytes that would garble a terminal.
 std::string quoted(std::string_view token) {
   std::string text = "'";
   for (const char c : token.substr(0, 20)) text += (c > ' ' && c < 0x7f) ? c : '?';

@@ -16,7 +16,7 @@ bool printing(std::uint8_t byte) {
 
 enum class End { none, proper, early };
 
-// Whether the first word with hole 7 is also the last of its block, and the line of the hole the third.
+// Whether the first word with hole 7 is also the last of its block, and whether the hole is in its third line.
 End hole7_ends_a_block(std::span<const std::uint8_t> tape) {
   std::size_t line_of_word = 0;
   bool early = false;
@@ -71,7 +71,7 @@ base::Result<CoreImage> read_image(std::span<const std::uint8_t> bytes, std::str
   }
   if (!address)
     return base::Error{std::string(file), "", "an HRI tape without an address",
-                       "the address to read it in at"};
+                       "the address at which to read it in"};
   return read_hri(bytes, file, *address, warnings);
 }
 

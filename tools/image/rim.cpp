@@ -66,7 +66,7 @@ base::Result<Tape> write_rim(const CoreImage& image, std::string_view file) {
   }
   const std::uint32_t end = image.start ? jmp | *image.start : hlt;
   punch_word(tape, end);
-  punch_word(tape, 0);  // read by the loader while it obeys the last word
+  punch_word(tape, 0);  // read by the loader while it executes the last word
   punch_feed(tape);
   return tape;
 }

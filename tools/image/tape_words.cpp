@@ -9,9 +9,8 @@ base::Error TapeReader::error(std::size_t byte, std::string found, std::string e
                      std::move(expected)};
 }
 
-// Before the first word anything without hole 8 is leader (some tapes have their name punched there in
-// readable shapes); after it only blank feed is, so that a hole 8 that was lost does not shift all the words
-// that follow.
+// Before the first word any line without hole 8 is leader (some tapes have their name punched there in readable shapes).
+// After it only blank feed is skipped, so that one lost hole 8 does not shift all words that follow.
 std::optional<base::Error> TapeReader::skip_feed(std::string_view expected) {
   for (; at_ < tape_.size() && (tape_[at_] & hole8) == 0; ++at_) {
     if (in_data_ && tape_[at_] != 0) {
@@ -52,7 +51,7 @@ base::Error TapeReader::early_error(const TapeWord& word, std::string_view expec
 std::string TapeReader::early_warning(const TapeWord& word) const {
   const std::size_t byte = word.early.value_or(word.byte);
   const base::Error warning = error(byte, "hole 7 in line " + std::to_string(byte - word.byte + 1) + " of the last word",
-                              "it in line 3; the tape is read to this word");
+                              "it in line 3; the tape is read up to this word");
   return warning.message();
 }
 

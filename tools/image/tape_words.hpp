@@ -23,23 +23,22 @@ inline constexpr std::uint32_t hlt = 0740040;
 
 struct TapeWord {
   std::uint32_t value = 0;
-  std::size_t byte = 0;  // of its first line
+  std::size_t byte = 0;  // position of its first line in the tape
   bool last = false;     // hole 7 in its third line
-  std::optional<std::size_t> early = {};  // the byte of a line before with hole 7, which belongs into the third
+  std::optional<std::size_t> early = {};  // position of an earlier line with hole 7, which should be in the third
 };
 
 class TapeReader {
  public:
   TapeReader(std::span<const std::uint8_t> tape, std::string_view file) : tape_(tape), file_(file) {}
 
-  // The next word, or nothing at the end of the tape. `expected` says what for, if the tape is damaged.
+  // The next word, or nothing at the end of the tape. `expected` names what the caller expects, for the error.
   [[nodiscard]] base::Result<std::optional<TapeWord>> next(std::string_view expected);
   [[nodiscard]] base::Error error(std::size_t byte, std::string found, std::string expected) const;
-  // Of a word with hole 7 before its third line: what is wrong with it inside the tape, where it is damage; what to warn of
-  // where the tape ends with it.
+  // About a word with hole 7 before its third line: the error inside the tape; the warning for the last word of the tape.
   [[nodiscard]] base::Error early_error(const TapeWord& word, std::string_view expected) const;
   [[nodiscard]] std::string early_warning(const TapeWord& word) const;
-  // No line of another word follows directly.
+  // True if no line of another word follows directly.
   [[nodiscard]] bool at_end_of_block() const { return at_ == tape_.size() || (tape_[at_] & hole8) == 0; }
 
  private:

@@ -1,4 +1,4 @@
-# One --help text to the table rows of the bash completion. Variable: command (as it is typed).
+# Converts one --help text to table rows of the bash completion. Variable: command (as it is typed).
 /^[^ ]/ { listed = $0 == "Subcommands:" }
 /^Options of most subcommands:$/ { exit }  # they are typed behind the name of a subcommand
 listed && /^  [^ ]/ { words = words " " $1 }

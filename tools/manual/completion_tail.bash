@@ -1,7 +1,7 @@
 
 _sightline() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=sightline i
-  # What `help` explains are the same words.
+  # `help` takes the same words as the command.
   i=1
   if [[ ${COMP_WORDS[1]} == help && $COMP_CWORD -gt 1 ]]; then i=2; fi
   for ((; i < COMP_CWORD; ++i)); do
@@ -11,7 +11,7 @@ _sightline() {
   done
   local words=${_sightline_words["$command $previous"]}
   if [[ $previous != -* || -z $words ]]; then words=${_sightline_words[$command]}; fi
-  # Options only when one is begun: between them stand file names.
+  # Options are completed only after a dash; elsewhere file names are.
   if [[ $current != -* ]]; then words=$(printf '%s\n' $words | grep -v '^--'); fi
   COMPREPLY=($(compgen -W "$words" -- "$current"))
 }

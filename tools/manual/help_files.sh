@@ -1,13 +1,14 @@
 #!/bin/sh
-# Makes the man pages and the bash completion of `sightline` from what its --help prints, for every subcommand.
+# Makes the man pages and the bash completion of `sightline` from the --help of every subcommand.
 #
 #   help_files.sh COMMAND DIRECTORY VERSION
 #
-# writes DIRECTORY/man1/sightline[-SUBCOMMAND...].1 and DIRECTORY/completions/sightline. The help is the only source: a
-# new option is in both after the next build. `report` has a page if its program is built.
+# writes DIRECTORY/man1/sightline[-SUBCOMMAND...].1 and DIRECTORY/completions/sightline. The help is the only source: a new option
+# is in
+# both after the next build. `report` has a page if its program is built.
 set -eu
 
-# Lines are not broken: the pages and the completion read one entry a line.
+# Lines are not wrapped: the pages and the completion read one entry per line.
 COLUMNS=100000
 export COLUMNS
 command=$1
@@ -19,7 +20,7 @@ rm -rf "$directory/man1" "$directory/completions"
 mkdir -p "$directory/man1" "$directory/completions"
 words=$directory/completions/words
 
-# write_files SUBCOMMAND... : the files of one subcommand and of those below it.
+# write_files SUBCOMMAND... : writes the files of a subcommand and of its subcommands.
 write_files() {
   "$command" "$@" --help > "$directory/help" 2> /dev/null || return 0
   name=$(echo sightline "$@" | tr ' ' '-')

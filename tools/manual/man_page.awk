@@ -1,11 +1,13 @@
-# One --help text to one man page. Variables: name (of the page, sightline-draw-exact), parent (the
-# page of the command above it, or empty), version.
+# Converts one --help text to one man page. Variables: name (of the page, such as sightline-draw-exact), parent (the page of the
+# command above it, or empty), version.
 #
-# The help is: a description; "Usage: ..."; sections, each a line "Title:" and indented lines below it; paragraphs. A
-# section's line "  term   text" is an entry, deeper lines continue it; of "Examples:", a line at two spaces is a command
-# and deeper lines say what it does.
+# The help consists of a description; "Usage: ..."; sections, each a line "Title:" with indented lines below it; paragraphs. A
+# section's
+# line "  term   text" is an entry, and deeper lines continue it; in "Examples:" a line at two spaces is a command, and deeper
+# lines
+# describe it.
 
-# What roff would take for something else. Hyphens stay hyphens, so that options can be copied from the page.
+# Escapes what roff would interpret. Hyphens stay hyphens, so that options can be copied from the page.
 function escaped(text) {
   gsub(/\\/, "\\e", text)
   gsub(/-/, "\\-", text)
@@ -58,7 +60,7 @@ usage && title == "DESCRIPTION" && !/^$/ && !described && /^  / { usage = usage 
 
 /^Exit codes: / { end_block(); begin_section("EXIT STATUS"); add(prose(substr($0, 13))); in_exit = 1; next }
 
-# A section, after an empty line: its entries are indented.
+# A section follows an empty line: its entries are indented.
 blank == NR - 1 && /^[A-Z][A-Za-z ]*:$/ {
   end_block()
   in_exit = 0
@@ -68,7 +70,7 @@ blank == NR - 1 && /^[A-Z][A-Za-z ]*:$/ {
   next
 }
 
-# Prose, below the sections: the description of what the command does.
+# Prose below the sections describes the command.
 /^[^ ]/ {
   end_block()
   if (in_exit) { add(prose($0)); next }
@@ -82,10 +84,10 @@ blank == NR - 1 && /^[A-Z][A-Za-z ]*:$/ {
 title == "EXAMPLES" && /^  [^ ]/ { add(".TP"); add("\\fB" escaped(substr($0, 3)) "\\fR"); next }
 title == "EXAMPLES" { sub(/^ +/, ""); add(prose($0)); next }
 
-# Indented within prose: as it is.
+# Indented lines within prose are copied.
 title == "DESCRIPTION" { if (!in_block) add(".EX"); in_block = 1; add(escaped($0)); next }
 
-# An entry, and what continues it.
+# An entry and its continuation.
 /^  [^ ]/ {
   bold = 0
   entry = substr($0, 3)

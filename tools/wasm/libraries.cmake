@@ -1,5 +1,6 @@
-# What the module for browsers has of the libraries: those that are headers alone. Debian's lie beside the headers of the
-# build machine's C library, which the module must not see, so only theirs are linked to.
+# The header-only libraries of the module for browsers. Debian installs them next to the headers of the build machine's C library,
+# which the
+# module must not see, so only theirs are linked into its include folder.
 set(headers ${CMAKE_BINARY_DIR}/library_headers)
 file(MAKE_DIRECTORY ${headers})
 foreach(name fmt nlohmann)
@@ -12,7 +13,7 @@ add_library(sightline_library_headers INTERFACE)
 target_include_directories(sightline_library_headers SYSTEM INTERFACE ${headers})
 
 add_library(fmt::fmt INTERFACE IMPORTED)
-# Without its locales and long doubles, which nothing here prints and which are a twentieth of the file.
+# Without locales and long doubles, which the module does not print and which take a twentieth of the file.
 target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY FMT_EXCEPTIONS=0 "FMT_STATIC_THOUSANDS_SEPARATOR=','" FMT_USE_LONG_DOUBLE=0)
 target_link_libraries(fmt::fmt INTERFACE sightline_library_headers)
 add_library(nlohmann_json::nlohmann_json INTERFACE IMPORTED)

@@ -2,7 +2,7 @@
 ; whichever of the plane's two points is nearer.
 
 ; ---- Receipt: of each plane three places, then the cell of each piece, piece N first. A place is 0 for nothing, 1 to 127 for a cell, 80H + i for
-; plane i, which comes behind its own. Each cell and plane stands once. D = t, E = s, as in all receipt.
+; plane i, which follows its parent. Each cell and plane occurs once. D = t, E = s, as in all receipt.
 GETCEL: LXI     H,NEXT          ; and SIZE and USED
         MVI     C,3
         XRA     A
@@ -41,7 +41,7 @@ GETC4:  MVI     H,CELLP
         JNZ     GETC4
         RET
 
-; A place to HL; HL goes on.
+; Stores a place at HL and increments HL.
 GETPLC: CALL    GETB
         MOV     M,A
         INX     H

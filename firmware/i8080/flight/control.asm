@@ -169,7 +169,7 @@ STOP:   MOV     A,B
 KEYS:   JMP     0               ; put there by INIT
 
 ; ---- Receipt
-; A point of words to HL; with precision 2 each is looked at, and kept four times as large. HL goes on.
+; Stores a point of words at HL; with precision 2 each is checked, and stored times four. Advances HL.
 GETPT:  LDA     AXES
         MOV     C,A
 GETPT1: CALL    GETB

@@ -10,7 +10,7 @@ K2      EQU     0F00H
 K3      EQU     1000H
 LIST    EQU     1100H           ; the order: numbers, the nearest piece first, so placed that the last is at 11FF
 POINTS  EQU     1200H           ; coordinates that are words: piece after piece, number 1 first
-NODES   EQU     1800H           ; of each plane what comes of it: before, in, behind
+NODES   EQU     1800H           ; per plane its children: before, in, behind
 CELL    EQU     1A00H           ; the cell of each piece, by number
 NEXT    EQU     1B00H           ; by cell: the priority of its next piece
 SIZE    EQU     1C00H           ; by cell: how many pieces

@@ -49,7 +49,7 @@ LOWER1: MVI     B,K0P
 INSERT: MOV     A,C
         STA     CUR+1
         PUSH    H
-        PUSH    D               ; what was last stays last
+        PUSH    D               ; the last one stays last
         LDAX    B
         MOV     D,A
         INR     B

@@ -32,7 +32,7 @@ TABLE1: PUSH    D
         CPI     20H
         JNZ     TABLE1
         RET
-; B D E to HL, low byte first; HL goes on by four.
+; Stores B D E at HL, low byte first; advances HL by four.
 TABPUT: MOV     M,E
         INX     H
         MOV     M,D

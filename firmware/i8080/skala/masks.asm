@@ -97,7 +97,7 @@ MASKV3: STA     MPEND
         JC      MASKV4
 
 ; Along x each column has one row and is folded as it is passed, but for the last. Keeps LT and HB as well, which cost
-; little when nothing is to be folded there.
+; little if there is nothing to fold.
         STA     MSKXL
         MOV     A,H
         STA     MSKXB

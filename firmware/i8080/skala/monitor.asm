@@ -25,7 +25,7 @@ VIS:    DB      1               ; 0: no visibility test
 NOPEND  EQU     00FFH           ; PLO = 255, PHI = 0
 
 ; ---- Where each command is drawn: four bytes each, all in page 0.
-MORE    EQU     15              ; the byte behind the last command of a full buffer
+MORE    EQU     15              ; the byte after the last command of a full buffer
 
 CMDTAB: JMP     END
         NOP
@@ -219,7 +219,7 @@ LINKO1: SHLD    GETB+1
 DRAWIT: LXI     SP,BUFFER
         JMP     NEXT
 
-; The buffer has been drawn and the picture goes on.
+; The buffer has been drawn and the picture continues.
 DOMORE: LXI     SP,BUFFER
         LDA     LINKSW
         ORA     A

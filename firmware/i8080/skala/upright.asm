@@ -184,7 +184,7 @@ D0:     STA     DDX
         JMP     GRUN
 DABOVE: MOV     A,M
         INR     A
-        STA     DOLD+1           ; the old top + 1: visible is what is not below that
+        STA     DOLD+1           ; the old top + 1: rows not below it are visible
         MOV     M,B
         JMP     DP1LOOP
 DP1GO:  MVI     H,MBP

@@ -7,7 +7,7 @@ TERMS:  DB      0
 VP:     DW      0
 CP:     DW      0
 
-; ACC = a X + b Y (+ c Z, with A = 3 terms instead of 2) - d, of the vertex at HL and the plane at DE. CP is then behind the last
+; ACC = a X + b Y (+ c Z, with A = 3 terms instead of 2) - d, of the vertex at HL and the plane at DE. CP is then after the last
 ; coefficient.
 PLANEV: STA     TERMS
         SHLD    VP

@@ -125,7 +125,7 @@ COPY1:  LDAX    D
         INX     H
         INR     A
         JNZ     COPY1
-        DCX     H               ; the next slot, also behind a full one
+        DCX     H               ; the next slot, also after a full one
         MOV     A,L
         ORI     15
         MOV     L,A

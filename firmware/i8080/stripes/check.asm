@@ -2,7 +2,7 @@
 ; are found. Source: SPECIFICATION.md, section 1.
 
 RECP:   DW      0               ; the record
-RECEND: DW      0               ; behind it
+RECEND: DW      0               ; after it
 EXTP:   DW      0               ; the face's entry of EXT
 AXISP:  DW      0               ; in it, the axis at hand
 
@@ -157,7 +157,7 @@ POLYG2: XCHG
         POP     H
         RET
 
-; The line of the Y at HL, which goes behind it.
+; The line of the Y at HL; advances HL past it.
 LINEOF: MOV     A,M
         ADI     80H
         INX     H

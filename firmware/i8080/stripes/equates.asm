@@ -2,7 +2,7 @@
 
 ; ---- Memory. The program is below FS. Lists of a line are in slots of a fixed size, so that a line's list is found by a shift.
 FS      EQU     1000H           ; stripes of the face at hand: 16 bytes a line
-VS      EQU     2000H           ; what is seen of it: 32 bytes a line, pairs of toggle and mark; also stripes of a second face
+VS      EQU     2000H           ; its visible part: 32 bytes per line, pairs of toggle and mark; also stripes of a second face
 SS      EQU     4000H           ; silhouette: 32 bytes a line; before it is begun, the matrix of relations
 SCENE   EQU     6000H           ; the body as received
 SCNMAX  EQU     6800H           ; its greatest length

@@ -2,7 +2,7 @@
 
 SI:     DW      0               ; places in SORT
 SJ:     DW      0
-SORTE:  DB      0               ; low byte behind the last
+SORTE:  DB      0               ; low byte after the last
 FRONT:  DB      0               ; low byte of the next place in ORDER from the front
 BACK:   DB      0               ; from the back
 LEFT:   DB      0               ; faces left
@@ -28,7 +28,7 @@ RANK2:  MVI     M,0
         XRA     A
         STA     FACE
         LXI     H,SORT
-RANK3:  SHLD    SJ              ; behind the sorted ones
+RANK3:  SHLD    SJ              ; after the sorted ones
         MOV     A,L
         STA     SORTE
         LDA     COUNT
@@ -37,7 +37,7 @@ RANK3:  SHLD    SJ              ; behind the sorted ones
         CMP     B
         JZ      RANK6
         STA     FJ
-RANK4:  MOV     A,L             ; the place of FACE: HL, if what is before it is not greater
+RANK4:  MOV     A,L             ; the place of FACE: HL, if the one before it is not greater
         CPI     LOW SORT
         JZ      RANK5
         DCX     H

@@ -133,7 +133,7 @@ COMMO1: STA     LINE
 COMMO2: STA     LINEE
         RET
 
-; Zero: LINE is behind the last of them. Else HL = slot of the face at FS, DE of that at VS.
+; Zero: LINE is after the last of them. Else HL = slot of the face at FS, DE of that at VS.
 PAIR:   LXI     H,LINEE
         LDA     LINE
         CMP     M

@@ -1,4 +1,4 @@
-; Vector output: the boundary of what is seen of a face, walked link by link. Source: SPECIFICATION.md, section 4.
+; Vector output: the boundary of the visible part of a face, followed link by link. Source: SPECIFICATION.md, section 4.
 
 TX:     DB      0               ; the point at hand
 TY:     DB      0
@@ -140,7 +140,7 @@ SQUARE: LXI     H,TX
 SQUAR1: DCR     B
         RET
 
-; Carry: the square (B, C) is in what is seen of the face.
+; Carry: the square (B, C) is in the visible part of the face.
 SEEN:   MOV     A,B
         CPI     255
         RNC

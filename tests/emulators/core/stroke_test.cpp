@@ -1,4 +1,4 @@
-// A buffer hands on every stroke once and in order, and what waits before a pass begins or ends.
+// A buffer passes on every stroke once and in order, and flushes waiting strokes before a pass begins or ends.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 namespace sightline::core {
 namespace {
 
-// Each stroke as its x, passes as brackets.
+// Records each stroke as its x, passes as brackets.
 struct Transcript final : StrokeTaker {
   std::string text;
   std::size_t blocks = 0;
@@ -27,7 +27,7 @@ Stroke at(std::uint16_t x) {
   return {.time = at_nanoseconds(x), .x = x};
 }
 
-TEST(StrokeBuffer, HandsOnWhatWaitsBeforeAPassBeginsOrEnds) {
+TEST(StrokeBuffer, FlushesBeforeAPassBeginsOrEnds) {
   Transcript taker;
   StrokeBuffer strokes;
   strokes.hand_to(&taker);
@@ -45,7 +45,7 @@ TEST(StrokeBuffer, HandsOnWhatWaitsBeforeAPassBeginsOrEnds) {
   EXPECT_EQ(taker.blocks, 3U);
 }
 
-TEST(StrokeBuffer, LosesNoneOfMoreThanItHolds) {
+TEST(StrokeBuffer, LosesNoStrokeBeyondItsCapacity) {
   Transcript taker;
   StrokeBuffer strokes;
   strokes.hand_to(&taker);
@@ -59,8 +59,8 @@ TEST(StrokeBuffer, LosesNoneOfMoreThanItHolds) {
   EXPECT_EQ(taker.text, expected);
 }
 
-// A taker has the strokes of its time, and those that nobody wants are gone.
-TEST(StrokeBuffer, ChangesHands) {
+// Each taker gets the strokes of its time; strokes without taker are dropped.
+TEST(StrokeBuffer, TheTakerMayChange) {
   Transcript first;
   Transcript second;
   StrokeBuffer strokes;

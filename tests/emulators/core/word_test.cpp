@@ -1,4 +1,4 @@
-// The vocabulary of all machines: words that wrap, DEC bit numbers, instants that do not mix with durations.
+// The types of all machines: words that wrap, DEC bit numbers, instants that do not mix with durations.
 #include "emulators/core/word.hpp"
 
 #include <gtest/gtest.h>

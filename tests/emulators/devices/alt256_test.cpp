@@ -34,7 +34,7 @@ TEST(Alt256, HandshakeOfTwoDots) {
   EXPECT_EQ(status(191), 0x80);  // the next line
   EXPECT_EQ(board->raster()->at(17, 200), 5);
   board->write(x, 18, at_t_state(200));
-  board->write(data, 6, at_t_state(349));  // in blanking already: waits for the next
+  board->write(data, 6, at_t_state(349));  // already in blanking: waits for the next one
   EXPECT_EQ(status(350), 0x40);
   EXPECT_EQ(status(538), 0x00);
   EXPECT_EQ(status(539), 0xC0);
@@ -56,7 +56,7 @@ TEST(Alt256, WritesWhileNotReadyAreLost) {
   EXPECT_EQ(board->raster()->at(1, 0), 0);
 }
 
-TEST(Alt256, ADotNeedsNoTimeAfterTheTimesThatNanosecondsCanCount) {
+TEST(Alt256, ADotTakesNoTimeBeyondTheNanosecondRange) {
   const auto board = std::make_unique<Alt256>(sightline::core::ClockRate{1});
   constexpr std::int64_t late = 9'300'000'000;
   board->write(data, 7, at_t_state(late));
@@ -80,7 +80,7 @@ TEST(Alt256, TwentyThousandDotsTakeTwentyThousandLines) {
     board->write(data, 1, now);
     now = board->ready_at();
   }
-  // 157.8 + 19,999 times 190.5: 1.27 s whatever the processor does.
+  // 157.8 + 19,999 times 190.5: 1.27 s whatever the speed of the processor.
   EXPECT_EQ(now, at_t_state(3'809'968));
   EXPECT_EQ(board->totals().writes_lost, 0U);
 }

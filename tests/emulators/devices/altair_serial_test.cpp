@@ -1,5 +1,6 @@
-// The Altair's serial boards, register by register. At 3 MHz and 9600 baud a character is ten bits, 3125 T-states. Expected flags are those
-// of MITS's register tables and of the MC6850 data sheet.
+// The Altair's serial boards, register by register. At 3 MHz and 9600 baud a character is ten bits, 3125 T-states. Expected flags
+// are
+// those in MITS's register tables and in the MC6850 data sheet.
 #include "emulators/devices/altair_serial.hpp"
 
 #include <gtest/gtest.h>
@@ -68,7 +69,7 @@ TEST(AltairSerial, TheNextKeyComesNoSoonerThanTheLineAllows) {
   EXPECT_FALSE(line.serial.wants_key());
 }
 
-TEST(AltairSerial, WhatIsWrittenTooSoonTakesThePlaceOfWhatWaits) {
+TEST(AltairSerial, ACharacterWrittenTooSoonReplacesTheWaitingOne) {
   Line line(AltairBoard::two_sio);
   for (const char c : {'1', '2', '3'}) line.out(data, c, 0);
   line.serial.advance(core::at_t_state(10 * character));

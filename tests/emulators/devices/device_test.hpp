@@ -1,4 +1,4 @@
-// What the device tests share: the machine's clock and a taker that keeps the strokes.
+// Shared by the device tests: the machine's clock and a taker that records strokes.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct KeptStrokes : core::StrokeTaker {
   std::vector<core::Stroke> kept;
 };
 
-// One access of the processor in a transcript: at T-state `t`, write `value`, or read and find it.
+// One processor access in a transcript: at T-state `t`, write `value`, or read and expect it.
 struct Access {
   std::int64_t t;
   bool reads;

@@ -18,7 +18,7 @@ using sightline::core::at_t_state;
 using sightline::devices::Ef9365;
 using sightline::tests::three_megahertz;
 
-// The board with an instruction every thousand T-states, longer than any vector.
+// The board, given an instruction every thousand T-states, which is longer than any vector.
 class Board : public testing::Test {
  protected:
   void out(int number, int value) {
@@ -321,7 +321,7 @@ TEST_F(Board, VerticalAndLeaningWriting) {
 }
 
 TEST_F(Board, BusyTimes) {
-  // clocks at 1.75 MHz, in T-states of 1/3 us, rounded up: n clocks are 12 n / 7.
+  // Clocks at 1.75 MHz, in T-states of 1/3 us, rounded up: n clocks are 12 n / 7.
   EXPECT_EQ(busy_after(0x02), 7);  // 4 clocks
   EXPECT_EQ(busy_after(0x80), 4);  // 1 dot: 2 clocks
   EXPECT_EQ(busy_after(0xA0), 6);  // 2 dots: 3 clocks
@@ -383,7 +383,7 @@ TEST_F(Board, BlankingInterrupt) {
   EXPECT_FALSE(board->interrupt());
 }
 
-TEST_F(Board, NoBlankingComesAfterTheTimesThatNanosecondsCanCount) {
+TEST_F(Board, NoBlankingBeyondTheNanosecondRange) {
   board = std::make_unique<Ef9365>(sightline::core::ClockRate{1});
   board->write(1, 0x20, at_t_state(9'300'000'000));
   EXPECT_EQ(board->deadline(), sightline::core::never_t);

@@ -1,5 +1,5 @@
-// The 8251: the sequence of control words, characters in their time (9600 baud 8N1 at 3 MHz: a bit is 312.5
-// T-states, a character 3,125, in the receiver after 9.5 bits = 2,968.75, rounded up), and every error.
+// The 8251: the sequence of control words, the timing of characters (9600 baud 8N1 at 3 MHz: a bit is 312.5 T-states, a character
+// 3,125, in the receiver after 9.5 bits = 2,968.75, rounded up), and every error.
 #include "emulators/devices/i8251.hpp"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,7 @@ TEST(I8251, OverrunWhenTheProcessorIsLate) {
   EXPECT_EQ(status(link, 10 + 3125 + 2968), 0x87);
   EXPECT_EQ(status(link, 10 + 3125 + 2969), 0x97);
   EXPECT_EQ(data(link, 6200), 0x96);
-  EXPECT_EQ(status(link, 6210), 0x95);  // the error stays
+  EXPECT_EQ(status(link, 6210), 0x95);  // the error flag stays set
   link.write(1, 0x37, at_t_state(6220));
   EXPECT_EQ(status(link, 6230), 0x85);
   EXPECT_EQ(link.chip().counts().overruns, 1U);
@@ -76,7 +76,7 @@ TEST(I8251, TheHostWaitsForRts) {
   EXPECT_EQ(status(link, 1'000'000), 0x85);
   EXPECT_EQ(link.sent(), 0U);
   link.write(1, 0x27, at_t_state(1'000'000));
-  link.write(1, 0x07, at_t_state(1'000'100));  // the character on the line comes through
+  link.write(1, 0x07, at_t_state(1'000'100));  // the character on the line is completed
   EXPECT_EQ(status(link, 1'002'969), 0x87);
   EXPECT_EQ(data(link, 1'003'000), 0x41);
   EXPECT_EQ(status(link, 2'000'000), 0x85);
@@ -106,7 +106,7 @@ TEST(I8251, ParityAndLengthFollowTheMode) {
   EXPECT_EQ(bad.chip().counts().parity_errors, 1U);
 }
 
-// Eight bits sent, five expected: the sixth stands where the stop bit should.
+// Eight bits sent, five expected: the sixth is in the position of the stop bit.
 TEST(I8251, FramingErrorWhenTheFormatsDiffer) {
   constexpr std::array<std::uint8_t, 1> bytes{0x15};
   SerialLink link(three_megahertz, bytes);
@@ -116,8 +116,7 @@ TEST(I8251, FramingErrorWhenTheFormatsDiffer) {
   EXPECT_EQ(link.chip().counts().framing_errors, 1U);
 }
 
-// A receiver at 2400 baud samples its first data bit during the host's bit time 6, data bit 5; then the line
-// is mark.
+// A receiver at 2400 baud samples its first data bit during the host's bit time 6, data bit 5; then the line is mark.
 TEST(I8251, AReceiverAtAQuarterOfTheSpeed) {
   constexpr std::array<std::uint8_t, 2> bytes{0xDF, 0x55};
   SerialLink link(three_megahertz, bytes);
@@ -132,7 +131,7 @@ TEST(I8251, TransmitterHasAHoldingPlaceAndAShifter) {
   SerialLink link(three_megahertz, {});
   programme(link);
   link.write(0, 0x31, at_t_state(100));
-  EXPECT_EQ(status(link, 110), 0x81);  // moved on at once: room for one more, not empty
+  EXPECT_EQ(status(link, 110), 0x81);  // moved to the shifter at once: room for one more, not empty
   link.write(0, 0x32, at_t_state(120));
   EXPECT_EQ(status(link, 130), 0x80);
   EXPECT_EQ(status(link, 100 + 3124), 0x80);
@@ -151,7 +150,7 @@ TEST(I8251, ACharacterWrittenTooSoonReplacesTheWaitingOne) {
   EXPECT_EQ(link.chip().counts().transmit_overwritten, 1U);
 }
 
-TEST(I8251, WhatIsKeptOfTheBytesSentHasABound) {
+TEST(I8251, TheRecordOfBytesSentIsBounded) {
   sightline::devices::KeptBytes kept(2);
   for (const std::uint8_t value : three_bytes) kept.push_back(value);
   EXPECT_EQ(kept.bytes(), (std::vector<std::uint8_t>{three_bytes[0], three_bytes[1]}));

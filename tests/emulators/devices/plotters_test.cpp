@@ -1,6 +1,5 @@
-// CalComp 565 and Minigraf 0507: every direction, the handshake with its times, and everything that can go
-// wrong. At 3 MHz a CalComp step of 3.333333 ms is 10,000 T-states (9,999.999 rounded up) and a pen command
-// 300,000.
+// CalComp 565 and Minigraf 0507: every direction, the timed handshake, and every error. At 3 MHz a CalComp step of 3.333333 ms
+// is 10,000 T-states (9,999.999 rounded up) and a pen command 300,000.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -24,7 +23,7 @@ using sightline::tests::Access;
 using sightline::tests::KeptStrokes;
 using sightline::tests::three_megahertz;
 
-// What a plotter draws.
+// The strokes of a plotter.
 struct Paper {
   Paper() { strokes.hand_to(&taker); }
   const std::vector<Stroke>& marks() {
@@ -66,7 +65,7 @@ TEST(CalComp565, HandshakeTranscript) {
   EXPECT_EQ(plotter.totals().busy.count(), 620'000);
 }
 
-TEST(CalComp565, TheDrumTurnsOnWhereItsCountEnds) {
+TEST(CalComp565, TheDrumPositionWraps) {
   constexpr std::int32_t last = std::numeric_limits<std::int32_t>::max();
   Paper paper;
   CalComp565 plotter(three_megahertz, paper.strokes, {last, 0});
@@ -77,7 +76,7 @@ TEST(CalComp565, TheDrumTurnsOnWhereItsCountEnds) {
   EXPECT_EQ(back.place(), (PlotterPlace{-last - 1, 0}));
 }
 
-TEST(Minigraf0507, AMotorTurnsOnWhereItsCountEnds) {
+TEST(Minigraf0507, AMotorPositionWraps) {
   constexpr std::int32_t last = std::numeric_limits<std::int32_t>::max();
   Paper paper;
   Minigraf0507 plotter(three_megahertz, paper.strokes, {}, {last, -last - 1});
@@ -171,7 +170,7 @@ TEST(Minigraf0507, StepsTooSoonAndJumpsOfPhaseAreMissed) {
   plotter.write(0x02, at_t_state(14'999));
   EXPECT_EQ(plotter.place(), (PlotterPlace{11, 10}));
   EXPECT_EQ(plotter.totals().missed_fast, 1U);
-  plotter.write(0x0A, at_t_state(14'999));  // the Y motor has rested
+  plotter.write(0x0A, at_t_state(14'999));  // the Y motor has been at rest long enough
   EXPECT_EQ(plotter.place(), (PlotterPlace{11, 11}));
   plotter.write(0x0B, at_t_state(15'000));
   EXPECT_EQ(plotter.place(), (PlotterPlace{12, 11}));

@@ -1,4 +1,4 @@
-// The priority display on an 8-bit bus: registers, the handshake of a frame, and what is shown.
+// The priority display on an 8-bit bus: registers, the handshake of a frame, and the displayed picture.
 #include "emulators/devices/priority_board.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ constexpr std::int64_t frame = 120'000;  // T-states of 3 MHz in 40 ms
 
 core::TStateInstant at(std::int64_t t) { return core::at_t_state(t); }
 
-// Two surfaces of one line that overlap in columns 10 to 19.
+// Two surfaces, one line high, that overlap in columns 10 to 19.
 void give_two(PriorityBoard& board) {
   const std::array<PriorityBoard::HostSurface, 2> surfaces{{{3, 0x111111, 0, 0, 1}, {200, 0x222222, 0, 1, 1}}};
   const std::array<PriorityBoard::HostSpan, 2> spans{{{0, 20}, {10, 30}}};

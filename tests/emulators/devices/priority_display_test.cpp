@@ -1,5 +1,5 @@
-// The Sussex display: the rule at every point, against a simple search; exchange of lists, the scan in time,
-// and what is lost.
+// The Sussex display: the priority rule at every point compared with a simple search; exchange of lists, the scan in time,
+// and overflow.
 #include "emulators/devices/priority_display.hpp"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ TEST(PriorityDisplay, TheHighestPriorityWinsWhateverTheOrder) {
     host.show();
     display.advance(at_nanoseconds(2 * frame - 1));
     EXPECT_EQ(point(display, 100, 10), 0x110000U);
-    EXPECT_EQ(point(display, 119, 10), 0x110000U);  // the other begins a line lower
+    EXPECT_EQ(point(display, 119, 10), 0x110000U);  // the other one begins a line lower
     EXPECT_EQ(point(display, 119, 11), 0x220000U);
     EXPECT_EQ(point(display, 109, 11), 0x110000U);
     EXPECT_EQ(point(display, 129, 11), 0x220000U);
@@ -65,7 +65,7 @@ TEST(PriorityDisplay, OfEqualPrioritiesTheFirstBegunIsShown) {
   PriorityDisplay display;
   const Host host{display, at_nanoseconds(0)};
   host.surface(7, 1, 5, 1, span(0, 2));
-  host.surface(7, 2, 4, 2, span(0, 2));  // begins higher up, but was begun later
+  host.surface(7, 2, 4, 2, span(0, 2));  // begins higher up, but was written later
   host.surface(0xFFFF'FFFF, 3, 5, 1, span(1, 2));
   host.show();
   display.advance(at_nanoseconds(2 * frame - 1));
@@ -74,7 +74,7 @@ TEST(PriorityDisplay, OfEqualPrioritiesTheFirstBegunIsShown) {
   EXPECT_EQ(point(display, 1, 5), 3U);
 }
 
-TEST(PriorityDisplay, RandomSurfacesAgainstASearch) {
+TEST(PriorityDisplay, RandomSurfacesMatchASearch) {
   std::mt19937 random(5);
   PriorityDisplay display;
   struct Surface {
@@ -118,16 +118,16 @@ TEST(PriorityDisplay, ListsAreExchangedAtTheBeginningOfAFrame) {
   EXPECT_EQ(display.read(Register::status, at_nanoseconds(frame - 1)),
             PriorityDisplay::status_blanking | PriorityDisplay::status_waiting);
   host.at = at_nanoseconds(frame - 1);
-  host.surface(9, 0x123456, 0, 1, span(0, 1));  // all lost
+  host.surface(9, 0x123456, 0, 1, span(0, 1));  // all lost: the list is waiting
   EXPECT_EQ(display.counts().writes_lost, 4U);
   EXPECT_EQ(point(display, 0, 0), 0U);
   EXPECT_EQ(display.read(Register::status, at_nanoseconds(frame)), 0U);
   EXPECT_EQ(point(display, 0, 0), 0xABCDEFU);
-  EXPECT_EQ(point(display, 0, 1), 0U);  // not yet
+  EXPECT_EQ(point(display, 0, 1), 0U);  // not displayed yet
   EXPECT_EQ(display.read(Register::line, at_nanoseconds(frame + line - 1)), 0U);
   EXPECT_EQ(display.read(Register::line, at_nanoseconds(frame + line)), 1U);
   EXPECT_EQ(point(display, 511, 1), 0xABCDEFU);
-  // The list shown stays as long as there is no other; a new one begins empty.
+  // The displayed list stays until there is another; a new one begins empty.
   display.advance(at_nanoseconds(5 * frame));
   EXPECT_EQ(point(display, 511, 511), 0xABCDEFU);
   host.at = at_nanoseconds(5 * frame);
@@ -145,18 +145,18 @@ TEST(PriorityDisplay, BlankingBeginsAfter512Lines) {
   EXPECT_EQ(display.read(Register::line, at_nanoseconds(frame - 1)), 624U);
 }
 
-TEST(PriorityDisplay, WhatDoesNotFitIsLeftOutAndCounted) {
+TEST(PriorityDisplay, OverflowIsOmittedAndCounted) {
   PriorityDisplay display(2, 3);
   const Host host{display, at_nanoseconds(0)};
-  display.write(Register::span, span(0, 5), {});  // of no surface
+  display.write(Register::span, span(0, 5), {});  // belongs to no surface
   display.write(7, 1, {});
   EXPECT_EQ(display.counts().unanswered, 2U);
   display.write(Register::line, 512, {});
   display.write(Register::span, span(0, 5), {});
   EXPECT_EQ(display.counts().writes_off_screen, 1U);
   EXPECT_EQ(display.counts().unanswered, 3U);
-  host.surface(1, 1, 511, 2, span(0, 5));    // the second line is not there
-  host.surface(2, 2, 0, 1, span(0, 513));    // nor is the column
+  host.surface(1, 1, 511, 2, span(0, 5));    // the second line does not exist
+  host.surface(2, 2, 0, 1, span(0, 513));    // nor does the column
   EXPECT_EQ(display.counts().writes_off_screen, 3U);
   EXPECT_EQ(display.read(Register::status, {}), PriorityDisplay::status_full);
   host.surface(3, 3, 0, 0, 0);

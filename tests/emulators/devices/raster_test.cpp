@@ -1,4 +1,4 @@
-// The raster's orientation, and that every printable character has a shape of its own.
+// The raster's orientation, and a distinct shape for every printable character.
 #include "emulators/core/raster.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ TEST(Raster, FillReachesEveryPoint) {
   for (const std::uint8_t point : raster->points()) ASSERT_EQ(point, 6);
 }
 
-TEST(Glyphs, EveryAsciiCodeHasAShapeOfItsOwn) {
+TEST(Glyphs, EveryAsciiCodeHasADistinctShape) {
   std::set<Glyph> shapes;
   for (int code = 0x21; code <= 0x7F; ++code) shapes.insert(ascii_glyph(static_cast<std::uint8_t>(code)));
   EXPECT_EQ(shapes.size(), 0x7FU - 0x21U + 1);

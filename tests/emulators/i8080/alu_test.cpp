@@ -1,4 +1,4 @@
-// The arithmetic of the 8080 for every operand, carry and flag, against its definition in digits and counts of ones.
+// The arithmetic of the 8080 for every operand, carry and flag, compared with its definition by digits and counts of ones.
 #include "emulators/i8080/alu.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ struct Flags {
   bool carry;
 };
 
-// F for a result, put together bit by bit.
+// F for a result, composed bit by bit.
 Byte flags_for(unsigned result, Flags carries) {
   unsigned f = 1U << 1;
   if (result >= 128) f |= 1U << 7;
@@ -80,7 +80,7 @@ TEST(I8080Alu, CountingLeavesCarryAlone) {
   }
 }
 
-// Packed decimal addition is what DAA is for: every sum of two two-digit numbers and a carry.
+// DAA makes packed decimal sums: every sum of two two-digit numbers and a carry.
 TEST(I8080Alu, DecimalAdjustMakesDecimalSums) {
   const auto packed = [](unsigned n) { return static_cast<Byte>(n / 10 * 16 + n % 10); };
   for (unsigned m = 0; m < 100; ++m) {
@@ -95,7 +95,7 @@ TEST(I8080Alu, DecimalAdjustMakesDecimalSums) {
   }
 }
 
-// And for what is no decimal sum: 6 for a low digit above 9 or with AC, 60h above 99h or with CY; CY is never cleared.
+// Other operands: 6 is added for a low digit above 9 or AC, 60h for a value above 99h or CY; CY is never cleared.
 TEST(I8080Alu, DecimalAdjustOfAnything) {
   for (unsigned a = 0; a < 256; ++a) {
     for (unsigned f = 0; f < 256; ++f) {

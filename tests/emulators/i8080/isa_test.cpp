@@ -1,5 +1,5 @@
-// The instruction table against the measured timing of all opcodes, and the processor against both, condition false and
-// true.
+// The instruction table compared with the measured timing of all opcodes, and the processor with both, for either outcome of
+// a condition.
 #include "emulators/i8080/isa.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ std::vector<Timing> read_timings() {
   std::string line;
   std::getline(file, line);
   while (std::getline(file, line)) {
-    // HLT's endless TWs are no cycle of their own.
+    // The endless TWs of HLT are not counted as cycles.
     if (const auto endless = line.find(" TW.."); endless != std::string::npos) {
       line.erase(endless, 5);
       line.erase(line.find(" TW.."), 5);
@@ -62,7 +62,7 @@ std::string text_of(const i8080::Cycles& cycles) {
   return text;
 }
 
-// "MOV B,M" as the table of the field writes it: upper case, d8 d16 a16 for what follows.
+// "MOV B,M" in the notation of the CSV file: upper case, d8 d16 a16 for immediate operands.
 std::string operand_text(i8080::Operand operand, unsigned opcode) {
   using enum i8080::Operand;
   const auto upper = [](std::string_view name) {
@@ -97,7 +97,7 @@ std::string text_of(const i8080::Instruction& row, unsigned opcode) {
   return text;
 }
 
-TEST(I8080Isa, TheTableIsTheMeasuredOne) {
+TEST(I8080Isa, TheTableEqualsTheMeasurements) {
   const auto timings = read_timings();
   ASSERT_EQ(timings.size(), 256U);
   for (const Timing& timing : timings) {
@@ -111,7 +111,7 @@ TEST(I8080Isa, TheTableIsTheMeasuredOne) {
   }
 }
 
-// The machine cycles that one instruction with these flags really uses, told from the pins alone.
+// The machine cycles that one instruction with these flags uses, seen at the pins alone.
 std::string cycles_used(unsigned opcode, i8080::Byte flags) {
   const auto board = std::make_unique<tests::MemoryBoard>();
   board->memory[0x1000] = static_cast<i8080::Byte>(opcode);

@@ -1,4 +1,4 @@
-// A board of 64K of RAM that keeps what the pins of an 8080 showed, for tests.
+// A board of 64K of RAM that records the pins of an 8080, for tests.
 #pragma once
 
 #include <array>
@@ -19,11 +19,11 @@ struct Transfer {
 
 struct MemoryBoard {
   std::array<i8080::Byte, 65536> memory{};
-  std::vector<i8080::PinInputs> levels;  // of the T-states to come; after the last: no INT, ready, no HOLD
+  std::vector<i8080::PinInputs> levels;  // inputs of the coming T-states; then no INT, ready, no HOLD
   std::vector<i8080::PinState> rows;
   std::vector<Transfer> transfers;
   i8080::Byte port_data = 0;
-  std::vector<i8080::Byte> acknowledge_data;  // taken in turn by cycles that say INTA or no MEMR; the last one stays
+  std::vector<i8080::Byte> acknowledge_data;  // taken in turn by cycles with INTA or without MEMR; the last one stays
   std::size_t acknowledged = 0;
 
   i8080::PinInputs inputs() const {

@@ -73,7 +73,7 @@ std::string hexadecimal(unsigned value, int digits) {
   return text;
 }
 
-// What may be compared of a row: no address in T4, T5, a halt's or HOLD's floating bus; no floating data.
+// The comparable fields of a row: no address in T4, T5, a halt's or HOLD's floating bus; no floating data.
 std::string comparable(const Fields& row) {
   const bool held = row[4].find('H') != std::string::npos;
   const bool no_address = row[1] == "T4" || row[1] == "T5" || row[1] == "-" || held;
@@ -92,9 +92,11 @@ Fields fields_of(const i8080::PinState& pins) {
           hexadecimal(pins.status, 2)};
 }
 
-// The model, which knows one instant a clock phase where the chip has a transparent latch, never starts again when HOLD
-// goes away in the very T-state in which a cycle ends: it shows nothing but held T-states from there on, in 31 of the
-// programs. True: this is such a place, and the processor under test began its next cycle as the manual has it.
+// Where the chip has a transparent latch the model knows only one instant per clock phase. If HOLD falls in the T-state in which
+// a
+// cycle ends, the model never starts again: from there on 31 of the programs show only held T-states. Returns true at such a
+// place
+// if the processor under test began its next cycle as the manual says.
 bool model_hangs(const Program& program, const i8080::PinState& found, std::size_t at) {
   if (at < 2 || found.state != i8080::TState::t1 || program.rows[at - 1][1] == "-") return false;
   const bool released = program.rows[at - 1][0][2] == '0' && program.rows[at - 2][0][2] == '1';
@@ -105,7 +107,7 @@ bool model_hangs(const Program& program, const i8080::PinState& found, std::size
   return released && silent;
 }
 
-// `hung` counts the programs of which the model shows the beginning only.
+// `hung` counts the programs of which the model shows only the beginning.
 void expect_same(const Program& program, int& hung) {
   const auto board = std::make_unique<tests::MemoryBoard>();
   const std::uint64_t salt = value_of(program.header, "salt", 10);
@@ -127,13 +129,13 @@ void expect_same(const Program& program, int& hung) {
     const std::string found = comparable(fields_of(board->rows[i]));
     ASSERT_EQ(found, comparable(program.rows[i])) << "T-state " << i << " of case " << program.header[1];
   }
-  if (settled) {  // between two instructions; A may still be on its way
+  if (settled) {  // between two instructions; A may not be updated yet
     EXPECT_EQ(machine.registers().bc, value_of(program.end, "bc")) << program.header[1];
     EXPECT_EQ(machine.registers().sp, value_of(program.end, "sp")) << program.header[1];
   }
 }
 
-TEST(I8080Pins, EveryTStateOfEveryProgramIsThatOfTheChip) {
+TEST(I8080Pins, EveryTStateOfEveryProgramMatchesTheChip) {
   const std::vector<Program> programs = read_programs();
   ASSERT_EQ(programs.size(), 100U);
   int hung = 0;

@@ -1,4 +1,4 @@
-// Every opcode against the gate-level model: registers, memory, transfers and each T-state's pins.
+// Every opcode compared with the gate-level model: registers, memory, transfers and each T-state's pins.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ struct Case {
   i8080::State final;
   std::vector<Cell> memory_before;
   std::vector<Cell> memory_after;
-  std::vector<std::string> rows;       // "T ADDRESS DATA FLAGS", address -- where it means nothing
+  std::vector<std::string> rows;       // "T ADDRESS DATA FLAGS", address -- where it is undefined
   std::vector<std::string> transfers;  // "KIND ADDRESS DATA STATUS"
 };
 
@@ -121,7 +121,7 @@ std::string transfer_text(const tests::Transfer& transfer) {
          hexadecimal(transfer.status, 2);
 }
 
-// What IN finds.
+// The value that IN reads.
 struct Input final : core::PortDevice {
   i8080::Byte byte = 0;
   std::uint8_t in(std::uint8_t, core::TStateInstant) override { return byte; }
@@ -131,7 +131,7 @@ void expect_same(const Case& expected) {
   SCOPED_TRACE(expected.name);
   const auto board = std::make_unique<tests::MemoryBoard>();
   for (const Cell& cell : expected.memory_before) board->memory[cell.address] = static_cast<i8080::Byte>(cell.byte);
-  // What IN finds is given by its transfer alone.
+  // The value that IN reads is given only by its transfer.
   for (const std::string& transfer : expected.transfers) {
     if (transfer[0] == 'I') board->port_data = static_cast<i8080::Byte>(std::stoul(transfer.substr(7, 2), nullptr, 16));
   }
@@ -154,7 +154,7 @@ void expect_same(const Case& expected) {
   EXPECT_EQ(rows, expected.rows);
   EXPECT_EQ(transfers, expected.transfers);
 
-  // The machine's engines, which have no pins to be compared.
+  // The machine's engines have no pins to compare.
   for (const bool fast : {true, false}) {
     i8080::Machine whole;
     Input input;
@@ -165,14 +165,14 @@ void expect_same(const Case& expected) {
     if (fast) whole.run({1, core::never_t});
     else whole.run_plainly({1, core::never_t});
     i8080::State left = machine.registers();
-    left.deferred = whole.registers().deferred;  // until the boundary after it
+    left.deferred = whole.registers().deferred;  // until the next boundary
     EXPECT_EQ(whole.registers(), left) << (fast ? "fast engine" : "plain engine");
     EXPECT_EQ(core::t_states_of(whole.now()), static_cast<std::int64_t>(expected.t_states));
     EXPECT_TRUE(std::equal(memory.begin(), memory.end(), whole.memory().begin()));
   }
 }
 
-TEST(I8080SingleStep, EveryCaseOfEveryOpcodeIsThatOfTheChip) {
+TEST(I8080SingleStep, EveryCaseOfEveryOpcodeMatchesTheChip) {
   const std::vector<Case> cases = read_cases();
   ASSERT_EQ(cases.size(), 256U * 20U);
   for (const Case& one : cases) {

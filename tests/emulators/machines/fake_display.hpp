@@ -1,7 +1,7 @@
-// A display that only does what the PDP-7 can feel of one: it asks for the word at its address counter, steps
-// on, asks again a set time after each word, and stops with an interrupt request at a word of all ones. One
-// that deposits writes its first word instead, and asks for the next as soon as that is done, as the Type 347
-// does.
+// A display reduced to what the PDP-7 can observe: it requests the word at its address counter, increments it, requests again a
+// set
+// time after each word, and stops with an interrupt request at a word of all ones. A display that deposits writes its first word
+// instead, and requests the next as soon as that is done, as the Type 347 does.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The devices of the list on an 8080: which port reaches which, what happens where there is none, and whose interrupt comes first.
+// All devices on an 8080: their ports, absent devices, and the priority of interrupts.
 #include "emulators/machines/i8080_devices.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ using core::never_t;
 
 constexpr std::array<std::uint8_t, 2> host_bytes{0x12, 0x34};
 
-// Everything but what a host does not offer.
+// All devices except those that need a host.
 struct Board {
   explicit Board(core::StrokeTaker& sink) { strokes.hand_to(&sink); }
   void attach_all() {
@@ -204,8 +204,8 @@ TEST_F(I8080Devices, TheHighestRestartIsAcknowledgedFirst) {
   EXPECT_EQ(ports.acknowledge(at_t_state(t + 3000)), 0xE7);
 }
 
-// Devices are caught up with when touched: advancing them in between must change nothing. Whatever a program writes,
-// the boards keep their limits.
+// Devices catch up only when accessed: advancing them in between must change nothing. Whatever a program writes, the boards keep
+// their limits.
 TEST_F(I8080Devices, AdvancingInBetweenChangesNothing) {
   std::array<std::uint8_t, 200> bytes{};
   for (std::size_t n = 0; n < bytes.size(); ++n) bytes[n] = static_cast<std::uint8_t>(n * 7);
@@ -229,7 +229,7 @@ TEST_F(I8080Devices, AdvancingInBetweenChangesNothing) {
     now = next;
     const auto port = static_cast<std::uint8_t>(dice % 16 == 0 ? 0xF0 : pages[dice % 5] | (dice >> 8 & 0x0F));
     auto value = static_cast<std::uint8_t>(dice >> 16);
-    // Mostly what draws: few clears, few places off the screen, known plotter codes.
+    // Mostly drawing: few clears, few positions off the screen, known plotter codes.
     if (port == 0x40 && value < 0x10 && n % 64 != 0) value |= 0x80;
     if ((port == 0x48 || port == 0x4A) && n % 8 != 0) value = 0;
     if (port == 0x60) value &= 0x0F;
@@ -256,7 +256,7 @@ TEST_F(I8080Devices, AdvancingInBetweenChangesNothing) {
   for (const std::uint8_t point : lazy->find<devices::Alt256>()->raster()->points()) ASSERT_LE(point, 7);
 }
 
-// Runs `program` from 0 until it halts for good and gives the time.
+// Runs `program` from 0 until it halts for good and returns the time.
 std::int64_t run(i8080::Machine& machine, std::initializer_list<int> program, std::initializer_list<int> at_restart_7 = {}) {
   std::uint16_t address = 0;
   for (const int byte : program) machine.deposit(address++, static_cast<std::uint8_t>(byte));
@@ -294,8 +294,8 @@ TEST(I8080DevicesAtWork, TheEndOfAPlotterStepWakesAHaltedProcessor) {
       run(machine, {0xFB, 0x3E, 0x02, 0xD3, 0x60, 0x76},  // EI; MVI A,2; OUT 60H; HLT
           {0xDB, 0x60, 0x32, 0x00, 0x20, 0x76});         // IN 60H; STA 2000H; HLT, interrupts off
   EXPECT_EQ(machine.find<devices::CalComp565>()->place(), (devices::PlotterPlace{101, 100}));
-  // The write is sampled 9 T after OUT begins at T 11: DONE at T 10,020. Then 3 T until RST 7 begins, 11 for
-  // it, 10 for IN, 13 for STA, 7 for HLT.
+  // The write is sampled 9 T after OUT begins at T 11: DONE at T 10,020. RST 7 begins 3 T later and takes 11, IN 10, STA 13, HLT
+  // 7.
   EXPECT_EQ(end, 10'020 + 3 + 11 + 10 + 13 + 7);
 }
 

@@ -1,7 +1,9 @@
-// The engines of the 8080 machine compared with the T-state-by-T-state bus and with each other: random programs rich in EI and HLT
-// under random INT, READY and HOLD, with any instruction supplied, must show the same machine cycles, instructions, registers and
-// memory, in whatever pieces they are run, with all cycles reported, with those of marked places and with none.
-// How to run more than a few: lockstep.hpp.
+// The engines of the 8080 machine compared with the T-state-by-T-state bus and with each other. Random programs rich in EI and
+// HLT
+// run under random INT, READY and HOLD, with any instruction supplied. All engines must show the same machine cycles,
+// instructions,
+// registers and memory, for any division into runs, with all cycles reported, with marked ones and with none.
+// lockstep.hpp says how to run more programs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +32,7 @@ struct Program {
   i8080::State state;
 };
 
-// Which of the pins a program has to do with.
+// The pins that a program uses.
 struct Asked {
   bool ready = false;
   bool hold = false;
@@ -53,8 +55,9 @@ std::vector<i8080::Byte> random_memory(std::mt19937& random, bool few_halts) {
 Program random_program(std::mt19937& random, Asked asked, std::int64_t length, std::vector<i8080::Byte> memory) {
   const auto below = [&](unsigned n) { return static_cast<unsigned>(random() % n); };
   Program program{length, std::move(memory), {}, 0, {0, 0, 0}, {}};
-  // INT, READY and HOLD change now and then; INT and HOLD in pulses of one T-state and upwards. HOLD may be so rare that
-  // programs run without it for long.
+  // INT, READY and HOLD change at random; INT and HOLD in pulses of one T-state or more. HOLD may be so rare that programs run
+  // long
+  // without it.
   i8080::PinInputs level;
   const unsigned idle = below(2) == 0 ? 20 : 200;
   const unsigned busy = below(2) == 0 ? 4 : 40;
@@ -79,9 +82,9 @@ Program random_program(std::mt19937& random, Asked asked, std::int64_t length, s
 struct Shown {
   std::vector<i8080::BusCycle> cycles;
   std::vector<i8080::HoldPins> holds;
-  std::vector<std::pair<std::int64_t, i8080::State>> states;  // when an instruction was over, and what it left
+  std::vector<std::pair<std::int64_t, i8080::State>> states;  // end of each instruction, and the state after it
   std::vector<i8080::Byte> memory;
-  bool whole = true;  // false: memory is that after one instruction more
+  bool whole = true;  // false: memory includes one more instruction
 };
 
 Shown shown_by_pins(const Program& program) {
@@ -98,7 +101,7 @@ Shown shown_by_pins(const Program& program) {
     const auto begun = static_cast<std::ptrdiff_t>(board->rows.size());
     const std::size_t transfers = board->transfers.size();
     machine.step();
-    // A step may be a wait state of a halt. What begins after `length`, behind a HOLD, is none of the run.
+    // A step may be a wait state of a halt. What begins after `length`, following a HOLD, is not part of the run.
     const auto end = board->rows.begin() + std::min(length, static_cast<std::int64_t>(board->rows.size()));
     const bool began = std::any_of(board->rows.begin() + begun, end, [](const i8080::PinState& row) { return row.sync; });
     if (began) shown.states.emplace_back(static_cast<std::int64_t>(board->rows.size()), machine.registers());
@@ -116,7 +119,7 @@ Shown shown_by_pins(const Program& program) {
       pins = found;
     }
     if (!row.sync) continue;
-    // A halt moves no data.
+    // A halt transfers no data.
     const bool halt = (row.status & 0x2F) == 0x0A || (row.status & 0x2F) == 0x0B;
     const i8080::Byte data =
         halt || transfer == board->transfers.size() ? i8080::Byte{0} : board->transfers[transfer++].data;
@@ -125,7 +128,7 @@ Shown shown_by_pins(const Program& program) {
   return shown;
 }
 
-// What a machine was left with, and what its device was asked.
+// The final state of a machine, and what its device was asked.
 struct Left {
   i8080::State state;
   core::TStateInstant now;
@@ -146,7 +149,7 @@ struct Subject {
     machine.registers() = program.state;
   }
 
-  // The whole program, or pieces of it: run(limits) gives a stop reason.
+  // Runs the whole program, or pieces of it: run(limits) returns a stop reason.
   template <class Piece>
   void run(std::mt19937* pieces, Piece piece) {
     const core::TStateInstant end = core::at_t_state(program.length);
@@ -186,7 +189,7 @@ Seen seen_by_observer(const Program& program, Asked asked, bool tells_instructio
   };
   cut(recorder.seen);
   cut(recorder.holds);
-  for (auto& cycle : recorder.seen) cycle.operand = false;  // which pins do not tell
+  for (auto& cycle : recorder.seen) cycle.operand = false;  // which pins do not show
   seen.shown = {recorder.seen, recorder.holds, {}, {}, true};
   for (const auto& instruction : recorder.executed) seen.shown.states.emplace_back(instruction.end, instruction.after);
   seen.shown.memory = seen.left.memory;
@@ -201,7 +204,7 @@ Left left_unobserved(const Program& program, Asked asked, bool plainly, std::mt1
   return subject.left();
 }
 
-// An observer of marked places.
+// An observer of marks.
 struct Marked : tests::I8080Recorder {
   explicit Marked(std::mt19937& random) : I8080Recorder(false) {
     for (auto& byte : of_memory) byte = static_cast<std::uint8_t>(random() % 8 == 0 ? random() & 13U : 0);
@@ -210,12 +213,12 @@ struct Marked : tests::I8080Recorder {
     port_marks = of_ports.data();
   }
   bool stop(core::TStateInstant now, i8080::Address next) override {
-    // At every boundary, those that the marks ask for are kept.
+    // At every boundary, keeps those that the marks request.
     if (!every_boundary || boundaries.empty() || seen.size() != seen_before || (of_memory[next] & i8080::mark::stop) != 0) boundaries.push_back(now);
     seen_before = seen.size();
     return false;
   }
-  // As the interface says.
+  // By the definition of the interface.
   [[nodiscard]] bool wants(const i8080::BusCycle& cycle) const {
     namespace status = i8080::status;
     if (cycle.operand) return false;
@@ -272,7 +275,7 @@ std::string text(const i8080::HoldPins& pins) {
 template <class Event>
 void expect_equal(const std::vector<Event>& found, const std::vector<Event>& expected, const std::string& program) {
   for (std::size_t i = 0; i < std::min(found.size(), expected.size()); ++i) {
-    // The last cycle may have been cut off before its data.
+    // The last cycle may have been truncated before its data.
     if (i + 1 == expected.size()) break;
     if (found[i] == expected[i]) continue;
     ASSERT_EQ(text(found[i]), text(expected[i])) << program << " event " << i;
@@ -289,7 +292,7 @@ void expect_same(const Shown& found, const Shown& expected, const std::string& p
   }
   ASSERT_EQ(found.states.size(), expected.states.size()) << program;
   ASSERT_TRUE(found.memory == expected.memory || !expected.whole) << program;
-  // A halt that nothing can end ends a run, while on the pins HOLD still comes and goes.
+  // A halt that nothing can end ends a run, while HOLD still changes on the pins.
   const bool halted = !expected.states.empty() && expected.states.back().second.halted;
   auto holds = expected.holds;
   if (halted) holds.resize(std::min(holds.size(), found.holds.size()));
@@ -304,8 +307,8 @@ void compare(std::mt19937& random, Asked asked, int programs, const std::string&
   std::uint64_t modified = 0;
   std::uint64_t instructions = 0;
   int i = 0;
-  // A long run has long programs, which seldom halt, and 16 of them begin with the same memory at other places: making it takes
-  // longer than a program.
+  // A long run has long programs, which seldom halt. 16 of them begin with the same memory at different addresses, because making
+  // memory takes longer than running a program.
   const std::uint64_t wanted = tests::lockstep_instructions(0);
   const std::int64_t length = wanted == 0 ? 2000 : 20000;
   std::vector<i8080::Byte> memory;
@@ -356,12 +359,12 @@ TEST(I8080Machine, ShowsTheCyclesOfTheTStateByTStateBus) {
   compare(random, {.ready = true}, 400, "INT and READY");
 }
 
-TEST(I8080Machine, HoldIsThatOfTheTStateByTStateBus) {
+TEST(I8080Machine, HoldMatchesTheTStateByTStateBus) {
   std::mt19937 random(static_cast<unsigned>(tests::lockstep_seed(1975)));
   compare(random, {.hold = true}, 600, "INT and HOLD");
 }
 
-TEST(I8080Machine, HoldAmongWaitStatesIsThatOfTheTStateByTStateBus) {
+TEST(I8080Machine, HoldAmongWaitStatesMatchesTheTStateByTStateBus) {
   std::mt19937 random(static_cast<unsigned>(tests::lockstep_seed(8228)));
   compare(random, {.ready = true, .hold = true}, 200, "INT, READY and HOLD");
 }

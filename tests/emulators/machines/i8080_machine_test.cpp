@@ -1,4 +1,4 @@
-// The 8080 machine by itself: when ports are touched, when a run stops, which calls an observer gets.
+// The 8080 machine alone: when ports are accessed, when a run stops, and the calls that an observer gets.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -179,7 +179,7 @@ TEST(I8080Machine, AHaltThatEndedUnobservedLeavesNoHlta) {
   EXPECT_EQ(bench.recorder.seen.back().status, 0xA2);
 }
 
-TEST(I8080Machine, AnObserverOfMarksIsAskedWhereARunBeginsAtMarksAndAfterReportedCycles) {
+TEST(I8080Machine, StopIsCalledAtTheStartOfARunAtMarksAndAfterReportedCycles) {
   struct Marked : i8080::Observer {
     std::array<std::uint8_t, 65536> of_memory{};
     std::array<std::uint8_t, 256> of_ports{};
@@ -217,7 +217,7 @@ TEST(I8080Machine, DadHasNoCycleToReport) {
 
 TEST(I8080Machine, HoldDoesNotKeepAHaltFromEndingTheRun) {
   for (const bool open : {false, true}) {
-    // Again and again, so often that the machine never leaves its pins.
+    // So often that the machine never leaves the pin-level engine.
     i8080::Machine machine;
     const std::array<core::Setting, 3> times{{{"first", 3}, {"length", 20}, {"period", 30}}};
     ASSERT_EQ(machine.attach("bus-master", times), "");
@@ -230,7 +230,7 @@ TEST(I8080Machine, HoldDoesNotKeepAHaltFromEndingTheRun) {
   }
 }
 
-// INT rises with the OUT of a value, and one of another ends the run.
+// INT rises with the OUT of one value; the OUT of another ends the run.
 struct QuietDevice : core::PortDevice {
   static constexpr core::PortDeviceInfo info{.name = "quiet", .help = "", .choice = "", .writes = tests::all_ports};
   explicit QuietDevice(i8080::Machine& machine) : machine_(machine) {}
@@ -262,20 +262,20 @@ TEST(I8080Machine, ADeviceMayRequestAnInterruptOrAStopByAnAccess) {
   EXPECT_EQ(machine.run({}), StopReason::device);
   EXPECT_EQ(machine.registers().pc, 0x0D);
   EXPECT_EQ(core::t_states_of(machine.now()), 4 + 10 + 7 + 10 + 5 + 10 + (11 + 10) + 5 + 10);
-  EXPECT_EQ(machine.peek(0x7FFE), 0x0A);  // the interrupt came behind the second OUT
+  EXPECT_EQ(machine.peek(0x7FFE), 0x0A);  // the interrupt came after the second OUT
   machine.registers().pc = 1;
   EXPECT_EQ(machine.run({.instructions = 1}), StopReason::instruction_limit);
   EXPECT_EQ(machine.registers().pc, 3);
   EXPECT_EQ(machine.run({}), StopReason::device);
 }
 
-TEST(I8080Machine, ALongHoldIsPassedOver) {
+TEST(I8080Machine, ALongHoldIsSkipped) {
   i8080::Machine machine;
   const std::array<core::Setting, 2> times{{{"first", 2'000}, {"length", 4'000'000'000}}};
   ASSERT_EQ(machine.attach("bus-master", times), "");
   EXPECT_EQ(machine.run({.until = core::at_t_state(3'000'000'000)}), StopReason::time_limit);
   EXPECT_EQ(machine.now(), core::at_t_state(3'000'000'000));
-  // NOPs: HOLD comes in T1 of a fetch, is seen in its T2 and granted in T3; T4 is the last before the processor stands still.
+  // NOPs: HOLD comes in T1 of a fetch, is sampled in T2 and granted in T3; T4 is the last T-state before the processor stops.
   EXPECT_EQ(machine.instructions(), 501U);
   EXPECT_EQ(machine.held(), 3'000'000'000U - 2'004U);
   EXPECT_EQ(machine.run({1, core::never_t}), StopReason::instruction_limit);

@@ -1,5 +1,5 @@
-// Devices of this test on the ports of an 8080: which ports reach them, what an absent one leaves, what they may do by themselves,
-// who comes first, and what attach() and wire() refuse.
+// This test's own devices on the ports of an 8080: the ports that reach them, the effect of an absent one, their requests, their
+// priority, and the errors of attach() and wire().
 #include "emulators/machines/i8080_ports.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ using core::PortDeviceInfo;
 using core::PortRange;
 using core::TStateInstant;
 
-// A byte that can be written and read.
+// One byte, readable and writable.
 struct Latch : core::PortDevice {
   static constexpr std::array reads{PortRange{0x10, 0x11}};
   static constexpr std::array writes{PortRange{0x10, 0x10}};
@@ -39,8 +39,8 @@ struct Latch : core::PortDevice {
   std::vector<core::Count> counts() const override { return {{"written", static_cast<std::uint64_t>(written)}}; }
 };
 
-// Counts down in T-states from a write and then asks for an interrupt, on one line until it is read, on the
-// other until it is written.
+// Counts down in T-states from a write and then requests an interrupt, on one line until it is read, on the other until it is
+// written.
 struct Timer : core::PortDevice {
   static constexpr std::array reads{PortRange{0x20, 0x20}, PortRange{0xFF, 0xFF}};
   static constexpr std::array writes{PortRange{0x20, 0x20}};
@@ -51,7 +51,7 @@ struct Timer : core::PortDevice {
   TStateInstant due = never_t;
   bool rung = false;
   bool unread = false;
-  int asked = 0;  // for lines and deadline
+  int asked = 0;  // calls for lines and deadline
 
   void advance(TStateInstant now) override {
     if (due > now) return;
@@ -143,7 +143,7 @@ TEST(I8080Ports, LinesRequestTheRestartsTheyAreWiredTo) {
   EXPECT_EQ(ports.acknowledge(at_t_state(131)), 0xFF);
 }
 
-TEST(I8080Ports, ALineMayBeWiredAnew) {
+TEST(I8080Ports, ALineMayBeRewired) {
   Both both;
   ASSERT_EQ(both.ports.wire("rung", 2), "");
   ASSERT_EQ(both.ports.wire("rung", 0), "");
@@ -164,7 +164,7 @@ TEST(I8080Ports, DevicesWithoutAConnectedLineAreNeverPolled) {
   EXPECT_FALSE(both.ports.interrupt());
 }
 
-TEST(I8080Ports, OfAllDevicesThoseOfTheListComeFirst) {
+TEST(I8080Ports, ListedDevicesComeFirst) {
   i8080::Machine machine;
   ASSERT_EQ(machine.attach(Latch::info, std::make_unique<Latch>()), "");
   ASSERT_EQ(machine.attach(Timer::info, std::make_unique<Timer>()), "");
@@ -181,7 +181,7 @@ TEST(I8080Ports, OfAllDevicesThoseOfTheListComeFirst) {
 }
 
 TEST(I8080Ports, TwoDevicesOnOnePortAreAnErrorWithBothNames) {
-  // Write only, and read only, on ports that others have in both directions.
+  // Write-only and read-only devices on ports that others use in both directions.
   static constexpr std::array writes{PortRange{0x0F, 0x12}};
   static constexpr PortDeviceInfo writer{.name = "writer", .help = "", .choice = "", .writes = writes};
   static constexpr std::array reads{PortRange{0xFF, 0xFF}};
@@ -191,7 +191,7 @@ TEST(I8080Ports, TwoDevicesOnOnePortAreAnErrorWithBothNames) {
   EXPECT_EQ(both.ports.attach(reader, std::make_unique<Latch>()), "port FF is read by \"timer\" and by \"reader\"");
   EXPECT_EQ(both.ports.devices().size(), 2U);
   both.ports.out(0x0F, 1, at_t_state(10));
-  EXPECT_EQ(both.ports.unanswered()[0x0F].writes, 1U) << "a device that is refused has no ports";
+  EXPECT_EQ(both.ports.unanswered()[0x0F].writes, 1U) << "a rejected device has no ports";
   i8080::Machine machine;
   ASSERT_EQ(machine.attach("2sio"), "");
   EXPECT_EQ(machine.attach(Latch::info, std::make_unique<Latch>()), "port 10 is read by \"2sio\" and by \"latch\"");
@@ -206,7 +206,7 @@ TEST(I8080Ports, KnownDevicesDoNotDisturbEachOther) {
   EXPECT_EQ(place, i8080::known_devices.size());
 }
 
-TEST(I8080Ports, WhatIsUnknownIsAnErrorWithTheNearestName) {
+TEST(I8080Ports, AnUnknownNameIsAnErrorWithTheNearestName) {
   i8080::Machine machine;
   const std::string ef9356 = machine.attach("ef9356");
   EXPECT_EQ(ef9356.find("found device \"ef9356\", expected one of: ef9365, alt256, "), 0U) << ef9356;
@@ -238,7 +238,7 @@ TEST(I8080Ports, AStrictMachineEndsARunAtAnUnansweredAccess) {
   EXPECT_EQ(machine.run(), i8080::StopReason::halt);
 }
 
-// Notes what passes, and hands it on with its complement.
+// Records each access, and passes it on complemented.
 struct Front : core::PortDevice {
   explicit Front(i8080::Machine& of) : machine(of) {}
   i8080::Machine& machine;
@@ -254,7 +254,7 @@ struct Front : core::PortDevice {
   }
 };
 
-TEST(I8080Ports, AFrontStandsBeforeADevice) {
+TEST(I8080Ports, AFrontInterceptsADevice) {
   i8080::Machine machine;
   ASSERT_EQ(machine.attach(Latch::info, std::make_unique<Latch>()), "");
   Front front(machine);
@@ -266,7 +266,7 @@ TEST(I8080Ports, AFrontStandsBeforeADevice) {
   EXPECT_EQ(machine.unanswered()[0x30].writes, 1U);
 }
 
-TEST(I8080Ports, AStopThatIsRequestedBetweenTwoRunsEndsTheNext) {
+TEST(I8080Ports, AStopRequestedBetweenTwoRunsEndsTheNext) {
   i8080::Machine machine;
   machine.request_stop();
   EXPECT_EQ(machine.run({.instructions = 3}), i8080::StopReason::device);

@@ -1,5 +1,5 @@
-// A device on all ports of an 8080 that follows a script of INT, READY and HOLD, T-state by T-state, and notes what was asked of it;
-// and an observer that keeps everything.
+// A device on all ports of an 8080 that follows a script of INT, READY and HOLD, T-state by T-state, and records all accesses;
+// and an observer that records everything.
 #pragma once
 
 #include <array>
@@ -29,12 +29,12 @@ class ScriptDevice final : public core::PortDevice {
  public:
   static constexpr core::PortDeviceInfo info{.name = "script", .help = "", .choice = "", .reads = all_ports, .writes = all_ports};
 
-  // Which pins the script has to do with, besides INT.
+  // The pins that the script drives besides INT.
   explicit ScriptDevice(bool ready, bool hold) : ready_(ready), hold_(hold) {}
 
   std::vector<i8080::PinInputs> levels;  // after the last: no INT, ready
   std::uint8_t input = 0;
-  std::vector<std::uint8_t> supplied{0xFF};  // given in turn to acknowledge cycles; the last one stays
+  std::vector<std::uint8_t> supplied{0xFF};  // given in turn to acknowledge cycles; the last one repeats
   std::vector<PortAccess> reads;
   std::vector<PortAccess> writes;
   i8080::Machine* stopped_by_writes = nullptr;  // not null: each write ends its run
@@ -93,7 +93,7 @@ class ScriptDevice final : public core::PortDevice {
   std::size_t next_ = 0;
 };
 
-// Attaches it.
+// Attaches a ScriptDevice to the machine.
 inline ScriptDevice& attach_script(i8080::Machine& machine, bool ready, bool hold) {
   auto device = std::make_unique<ScriptDevice>(ready, hold);
   ScriptDevice& script = *device;
@@ -101,7 +101,7 @@ inline ScriptDevice& attach_script(i8080::Machine& machine, bool ready, bool hol
   return script;
 }
 
-// Keeps everything that a machine reports.
+// Records everything that a machine reports.
 struct I8080Recorder : i8080::Observer {
   explicit I8080Recorder(bool with_instructions) { instructions = with_instructions; }
 

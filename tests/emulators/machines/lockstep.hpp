@@ -1,4 +1,4 @@
-// What the lockstep tests of both machines share: how much to run, and a sum of all bus cycles.
+// Shared by the lockstep tests of both machines: how much to run, and a checksum of all bus cycles.
 //
 //   SIGHTLINE_LOCKSTEP=N         N instructions in each test
 //   SIGHTLINE_LOCKSTEP_SEED=S    the first seed, for a long run in pieces
@@ -11,7 +11,7 @@
 
 namespace sightline::tests {
 
-// Instructions: SIGHTLINE_LOCKSTEP in the environment, or `otherwise`.
+// The number of instructions: SIGHTLINE_LOCKSTEP in the environment, or `otherwise`.
 inline std::uint64_t lockstep_instructions(std::uint64_t otherwise) {
   const char* const asked = std::getenv("SIGHTLINE_LOCKSTEP");  // NOLINT(concurrency-mt-unsafe)
   return asked != nullptr ? std::strtoull(asked, nullptr, 10) : otherwise;
@@ -23,7 +23,7 @@ inline std::uint64_t lockstep_seed(std::uint64_t otherwise) {
   return asked != nullptr ? std::strtoull(asked, nullptr, 10) : otherwise;
 }
 
-// Two sequences of cycles with the same sum are taken to be the same.
+// Two sequences of cycles with equal sums count as equal.
 class CycleSum {
  public:
   template <class... Values>
@@ -31,7 +31,7 @@ class CycleSum {
     (add_one(static_cast<std::uint64_t>(values)), ...);
     ++count;
   }
-  // A cycle in two words, of which all bits count.
+  // A cycle in two words; every bit affects the sum.
   void add_cycle(std::uint64_t time, std::uint64_t rest) {
     add_one(time * 0x9e3779b97f4a7c15U ^ rest);
     ++count;
@@ -47,7 +47,7 @@ class CycleSum {
   }
 };
 
-// Counts the instructions that a program has written before it runs them.
+// Counts the executed instructions that the program itself has written.
 class WrittenWords {
  public:
   explicit WrittenWords(std::size_t addresses) : written_(addresses) {}

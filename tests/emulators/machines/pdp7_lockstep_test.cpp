@@ -1,9 +1,9 @@
-// The engines of the PDP-7 beside each other, on random programs that modify themselves, chain XCTs, count pointers up, change
-// banks, multiply, and drive a refreshing display, a clock, a teletype, tapes and interrupts: the same registers, times, strokes,
-// core and states, in the same pieces. Four machines take part: one that runs on the fast engine, one whose observer gets every
-// cycle, one whose observer gets the marked ones, and one that changes between all ways to run, without a taker of strokes.
+// The engines of the PDP-7 compared on random programs that modify themselves, chain XCTs, count pointers up, change banks,
+// multiply, and drive a refreshing display, a clock, a teletype, tapes and interrupts: registers, times, strokes, core and states
+// must agree after each piece. There are four machines: one on the fast engine, one whose observer gets every cycle, one whose
+// observer gets the marked cycles, and one that alternates between all ways to run, without a taker of strokes.
 //
-// How to run more than a few: lockstep.hpp.
+// lockstep.hpp says how to run more programs.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -33,7 +33,7 @@ struct SumStrokes final : core::StrokeTaker {
   void end_pass(core::Instant t) override { all.add(2, core::nanoseconds_of(t)); }
 };
 
-// All that a machine would save.
+// A checksum of the state that a snapshot would save.
 class SumState final : public core::StateVisitor {
  public:
   CycleSum all;
@@ -79,7 +79,7 @@ void add_cycle(CycleSum& sum, const pdp7::Cycle& c) {
                     std::uint64_t{c.address} << 18 | c.data.value());
 }
 
-// What programs do.
+// Counts what the programs do.
 struct Deeds {
   std::uint64_t cycles = 0;
   tests::WrittenWords words{32768};
@@ -102,7 +102,7 @@ struct Deeds {
 
 using Marks = std::vector<std::uint8_t>;
 
-// The cycles that are reported to an observer with marks, and the boundaries at which its stop() is called.
+// The cycles reported to an observer with marks, and the boundaries at which its stop() is called.
 struct Asked {
   CycleSum cycles;
   CycleSum boundaries;
@@ -114,7 +114,7 @@ struct Asked {
   friend bool operator==(const Asked&, const Asked&) = default;
 };
 
-// Gets every cycle and every boundary, and knows which of them one with marks would get.
+// Gets every cycle and every boundary, and computes which of them an observer with marks would get.
 struct EveryCycle final : pdp7::Observer {
   explicit EveryCycle(const Marks& of_other) : others(of_other) {}
   void cycle(const pdp7::Cycle& c) override {
@@ -159,7 +159,7 @@ struct MarkedCycles final : pdp7::Observer {
   Asked asked;
 };
 
-// Looks for one address, which it stops at.
+// Stops at one address.
 struct Breakpoint final : pdp7::Observer {
   explicit Breakpoint(pdp7::Address at) : address(at) {
     marked[address] = pdp7::mark::stop;
@@ -175,7 +175,7 @@ struct Breakpoint final : pdp7::Observer {
   bool armed = true;
 };
 
-// Gets every boundary, as a monitor that waits for a condition, and stops at some; gets instructions, too.
+// Gets every boundary, as a monitor that waits for a condition does, and stops at some; gets instructions, too.
 struct Follower final : pdp7::Observer {
   Follower() {
     marks = marked.data();
@@ -197,7 +197,7 @@ std::uint32_t random_word(std::mt19937_64& random, std::uint32_t core_words) {
       0700002, 0700042, 0700062, 0703302, 0703341, 0700314, 0700001, 0700044, 0700004, 0700101, 0700104, 0700144,
       0700112, 0700201, 0700206, 0700301, 0700312, 0700401, 0700406, 0700501, 0700504, 0700512, 0700601, 0700606,
       0700614, 0700701, 0700704, 0700712, 0701001, 0707701, 0707702, 0707742, 0707704, 0703301};
-  // Nearly all references go to a page or to the first words, so that programs meet their own words.
+  // Nearly all references go to one page or to the first words, so that programs reach their own words.
   const std::uint32_t place = below(8) == 0 ? below(8192) : (below(3) == 0 ? below(040) : 0200 + below(0600));
   const std::uint32_t indirect = below(4) == 0 ? 0020000 : 0;
   switch (below(16)) {
@@ -213,7 +213,7 @@ std::uint32_t random_word(std::mt19937_64& random, std::uint32_t core_words) {
   }
 }
 
-// A line of a display file: a parameter word, a point, and vectors, of which the last escapes.
+// A line of a display file: a parameter word, a point, and vectors; the last one escapes.
 void append_line(std::mt19937_64& random, std::vector<core::Word18>& words) {
   const auto below = [&](unsigned n) { return static_cast<std::uint32_t>(random() % n); };
   words.emplace_back(0020100U | below(0100));
@@ -316,11 +316,12 @@ struct Done {
   std::uint64_t modified = 0;
 };
 
-// One random program on all machines; one that `draws` has a display file of lines, started again and again. False: they differ.
+// Runs one random program on all machines. If it `draws`, a display file of lines is started repeatedly. False if the machines
+// differ.
 bool run_one(std::mt19937_64& random, bool draws, Done& done) {
   const Options options = random_options(random);
   const std::uint32_t core_words = options.machine.core_words;
-  std::mt19937_64 random_of_marks = random;  // of its own, so that the marks change no program
+  std::mt19937_64 random_of_marks = random;  // a separate sequence, so that the marks do not change the program
   Machines all(options, random_marks(random_of_marks), static_cast<pdp7::Address>(0200 + random() % 0600));
   // A page of program, repeated with changes, and a random display file that may also be run.
   for (pdp7::Address a = 0; a < core_words; ++a) {
@@ -354,10 +355,10 @@ bool run_one(std::mt19937_64& random, bool draws, Done& done) {
       limits.until = all.fast.now() + core::Duration(static_cast<std::int64_t>(random() % 2'000'000));
     }
     const pdp7::StopReason reason = all.fast.run(limits);
-    all.of_every.reported = true;  // where a run begins the other gets a boundary, too
+    all.of_every.reported = true;  // at the start of a run the other gets a boundary, too
     const bool same_reasons = all.every.run(limits, all.of_every) == reason &&
                               all.watched.run(limits, all.of_watched) == reason;
-    // With a breakpoint the run has to be taken up again where it stopped.
+    // After a breakpoint the run must be resumed where it stopped.
     pdp7::Limits rest = limits;
     pdp7::StopReason last{};
     do {
@@ -407,7 +408,7 @@ bool run_one(std::mt19937_64& random, bool draws, Done& done) {
     return false;
   }
   if (!(all.of_every.expected == all.of_watched.asked)) {
-    ADD_FAILURE() << "marked cycles and boundaries";
+    ADD_FAILURE() << "marked cycles or boundaries differ";
     return false;
   }
   const CycleSum& drawn = all.fast_strokes.all;
@@ -418,7 +419,7 @@ bool run_one(std::mt19937_64& random, bool draws, Done& done) {
   for (pdp7::Address a = 0; a <= pdp7::address_mask; ++a) {
     const core::Word18 word = all.fast.peek(a);
     if (all.every.peek(a) != word || all.watched.peek(a) != word || all.mixed.peek(a) != word) {
-      ADD_FAILURE() << "core at " << std::oct << a;
+      ADD_FAILURE() << "core differs at " << std::oct << a;
       return false;
     }
   }
@@ -434,8 +435,8 @@ bool run_one(std::mt19937_64& random, bool draws, Done& done) {
   return true;
 }
 
-// IDRS in the deflection of a point: its request rises while the next vector is counting, and stops it, whether somebody takes
-// the strokes or not.
+// IDRS during the deflection of a point: its request rises while the next vector is counting and stops it, with or without a
+// taker of strokes.
 TEST(Pdp7Lockstep, ARequestStopsAVectorThatCounts) {
   for (const unsigned seed : {18490U, 12446U}) {
     SCOPED_TRACE(seed);

@@ -24,7 +24,7 @@ using pdp7::StopReason;
 
 class Pdp7 : public testing::Test {
  protected:
-  // A display of tests in the place of the real one.
+  // Attaches a test display in place of the real one.
   static tests::FakeDisplay& attach_display(Machine& machine, core::Duration period) {
     auto display = std::make_unique<tests::FakeDisplay>(period);
     tests::FakeDisplay& attached = *display;
@@ -35,7 +35,7 @@ class Pdp7 : public testing::Test {
   tests::RecordingObserver recorder_;
 };
 
-// Adds 1 to 11 with an auto-index pointer; uses nothing it has not set.
+// Adds 1 to 11 with an auto-index pointer; reads only words that it has set.
 constexpr std::initializer_list<std::uint32_t> sum_program{
     0750000, 0040200, 0765300, 0040010, 0777765, 0040201,                    // sum, pointer, counter -11
     0200202, 0340203, 0040202, 0060010, 0340200, 0040200, 0440201, 0600106,  // n+1; store; sum; count
@@ -59,7 +59,7 @@ TEST_F(Pdp7, PowerOnCoreDoesNotChangeAProgramThatSetsItsData) {
   EXPECT_EQ(sums[3], sums[1]);
 }
 
-// RSA, wait on the flag, RRB, store through 10; three lines, then HLT. Tape time rules.
+// RSA, wait for the flag, RRB, store through 10; three lines, then HLT. The tape determines the time.
 TEST_F(Pdp7, AProgramReadsATapeByPolling) {
   Machine machine;
   machine.find<pdp7::Reader>()->load({0101, 0202, 0303});
@@ -74,7 +74,7 @@ TEST_F(Pdp7, AProgramReadsATapeByPolling) {
   EXPECT_LT(core::nanoseconds_of(machine.now()), 3 * 3'400'000);
 }
 
-// The background counts; the handler reads each key, stores it and returns with ION; JMP I 0.
+// The main program counts; the handler reads each key, stores it and returns with ION; JMP I 0.
 TEST_F(Pdp7, KeysInterruptACountingProgram) {
   Machine machine;
   machine.load(0, {0, 0040020, 0700312, 0060010, 0200020, 0700042, 0620000});
@@ -91,7 +91,7 @@ TEST_F(Pdp7, KeysInterruptACountingProgram) {
   EXPECT_TRUE(machine.registers().interrupts_on);
 }
 
-// Half a second of 50 Hz clock: 25 counts, 25 stolen cycles, nothing else moved.
+// Half a second of 50 Hz clock: 25 counts, 25 stolen cycles, no other change.
 TEST_F(Pdp7, TheClockCountsLocationSevenInStolenCycles) {
   Machine machine;
   machine.load(0100, {0700044, 0600101});
@@ -146,7 +146,7 @@ TEST_F(Pdp7, TheDisplayInterruptsWhenItStopsAndItsIotsReadIt) {
   EXPECT_EQ(machine.registers().ac.value(), pdp7::status::light_pen);
 }
 
-TEST_F(Pdp7, UnansweredInstructionsAreCountedWithTheirFirstPlace) {
+TEST_F(Pdp7, UnansweredInstructionsAreCountedWithTheirFirstAddress) {
   pdp7::Options bare;
   bare.model.eae = false;
   Machine machine(bare);
@@ -186,7 +186,7 @@ TEST_F(Pdp7, LimitsStopAtAnInstructionBoundary) {
   EXPECT_EQ(core::nanoseconds_of(machine.now()), 10'500);
 }
 
-// Run one instruction at a time, ION still protects the one after it.
+// In single steps ION still protects the instruction after it.
 TEST_F(Pdp7, SingleStepsGiveTheSameRunAsOneRun) {
   std::vector<pdp7::State> ends;
   for (const std::uint64_t at_a_time : {1U, 2U, 3U, 12U}) {
@@ -252,9 +252,8 @@ TEST_F(Pdp7, ARealDisplayRunsItsFileWhileTheProcessorCounts) {
   EXPECT_LE(elapsed, 534'600 + 7 * 2 * 1750 + 4 * 1750);
 }
 
-// A real Type 340 with the 347 option: mode 7 at 300, DDS 350 at 301, stop at 302. A word takes 3.3 us, a
-// break waits for the end of the JMP: asked for at 5250, 10300, 15550 (the write) and, as the deposit is
-// done, at 17500.
+// A real Type 340 with the 347 option: mode 7 at 300, DDS 350 at 301, stop at 302. A word takes 3.3 us, and a break waits for the
+// end of the JMP. Requests come at 5250, 10300, 15550 (the write) and, when the deposit is done, at 17500.
 TEST_F(Pdp7, ADepositOfTheRealDisplayIsFollowedAtOnceByItsNextWord) {
   Machine machine;
   const std::array<core::Setting, 1> with_347{core::Setting{"347", 1}};
@@ -295,7 +294,7 @@ TEST_F(Pdp7, AbsentDevicesAnswerNothing) {
   }
 }
 
-TEST_F(Pdp7, TtsSkipsWithATeletype) {
+TEST_F(Pdp7, TtsSkipsIfThereIsATeletype) {
   for (const bool teletype : {false, true}) {
     pdp7::Options options;
     if (!teletype) options.devices = {"clock", "reader", "punch"};
@@ -308,7 +307,7 @@ TEST_F(Pdp7, TtsSkipsWithATeletype) {
   }
 }
 
-// The clock on, a line punched: IORS shows both, CAF clears both. The disk has no bit, but its flags go, too.
+// The clock is on and a line is punched: IORS shows both, CAF clears both. The disk has no bit in IORS, but CAF clears its flags.
 TEST_F(Pdp7, IorsReadsAllDevicesAndCafClearsThem) {
   Machine machine;
   ASSERT_EQ(machine.attach("rb09"), "");
@@ -324,7 +323,7 @@ TEST_F(Pdp7, IorsReadsAllDevicesAndCafClearsThem) {
   EXPECT_EQ(machine.find<pdp7::Rb09>()->status_word(), 0U);
 }
 
-// Puts AC on device code 04, which is the printer's, or on 45, which nobody has.
+// Displays AC, on device code 04, which the printer has, or on 45, which is free.
 class Lamp final : public core::IotDevice {
  public:
   static constexpr std::array<std::uint8_t, 1> free_codes{045};
@@ -338,7 +337,7 @@ class Lamp final : public core::IotDevice {
   core::Word18 shown;
 };
 
-TEST_F(Pdp7, ADeviceOfOnesOwnIsReachedByItsCode) {
+TEST_F(Pdp7, AUserDefinedDeviceIsReachedByItsCode) {
   Machine machine;
   ASSERT_EQ(machine.attach(Lamp::info, std::make_unique<Lamp>()), "");
   machine.load(0100, {0760017, 0704504, 0740040});
@@ -365,8 +364,8 @@ TEST_F(Pdp7, ADeviceCodeTakenTwiceIsAnErrorWithBothNames) {
   EXPECT_EQ(machine.unanswered().size(), 1U);
 }
 
-// Also one of a device that is not there yet.
-TEST_F(Pdp7, TheCodesOfADeviceThatWaitsAreTaken) {
+// Also if the device is not connected yet.
+TEST_F(Pdp7, ADeferredDeviceReservesItsCodes) {
   constexpr std::array<std::uint8_t, 1> edge{005};
   core::IotDeviceInfo lamp = Lamp::info;
   lamp.codes = edge;
@@ -379,7 +378,7 @@ TEST_F(Pdp7, TheCodesOfADeviceThatWaitsAreTaken) {
   EXPECT_EQ(other.attach_when_used("display"), "the device display has the device code 05, which the device lamp already has");
 }
 
-// A skip test asks for no data break and no interrupt, but it may ask for the end of the run.
+// A skip test requests no data break and no interrupt, but it may request the end of the run.
 struct Stopper final : core::IotDevice {
   static constexpr std::array<std::uint8_t, 1> codes{045};
   static constexpr core::IotDeviceInfo info{.name = "stopper", .help = "ends the run", .codes = codes};
@@ -391,7 +390,7 @@ struct Stopper final : core::IotDevice {
   Machine& machine;
 };
 
-TEST_F(Pdp7, AStopThatASkipTestRequestsIsAtTheNextBoundary) {
+TEST_F(Pdp7, AStopRequestedByASkipTestTakesEffectAtTheNextBoundary) {
   for (const bool fast : {true, false}) {
     Machine machine;
     ASSERT_EQ(machine.attach(Stopper::info, std::make_unique<Stopper>(machine)), "");
@@ -415,7 +414,7 @@ TEST_F(Pdp7, AnUnknownDeviceIsAnErrorWithTheNearestName) {
   EXPECT_EQ(Machine(options).error(), "found device \"drum\", expected one of: " + names);
 }
 
-TEST_F(Pdp7, ASettingThatADeviceDoesNotHaveIsAnError) {
+TEST_F(Pdp7, AnUnknownSettingIsAnError) {
   Machine machine;
   const std::array<core::Setting, 1> unknown{core::Setting{"flash", 1}};
   EXPECT_EQ(machine.attach("display", unknown), "found option of the display \"flash\", expected one of: 342, 347, flash-again");
@@ -426,8 +425,8 @@ TEST_F(Pdp7, ASettingThatADeviceDoesNotHaveIsAnError) {
   EXPECT_EQ(machine.device("display"), nullptr);
 }
 
-// IDLA plugs a display in that starts with it; the IOT of a Graphic-2 before it does not.
-TEST_F(Pdp7, ADeviceThatWaitsIsThereFromItsFirstIotOn) {
+// IDLA connects a display that starts with it; the IOT of a Graphic-2 before it does not.
+TEST_F(Pdp7, ADeferredDeviceIsConnectedByItsFirstIot) {
   Machine machine;
   ASSERT_EQ(machine.attach_when_used("display"), "");
   machine.load(0100, {0700547, 0740040, 0200200, 0700606, 0740000, 0600104});
@@ -445,7 +444,7 @@ TEST_F(Pdp7, ADeviceThatWaitsIsThereFromItsFirstIotOn) {
   EXPECT_EQ(machine.device("display"), nullptr);
 }
 
-// The taker of strokes asks for a stop when a pass begins: the run ends behind the IDLA.
+// The taker of strokes requests a stop when a pass begins: the run ends after the IDLA.
 TEST_F(Pdp7, ATakerOfStrokesStopsTheRun) {
   struct Taker final : core::StrokeTaker {
     explicit Taker(Machine& of) : machine(of) {}

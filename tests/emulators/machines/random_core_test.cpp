@@ -1,4 +1,4 @@
-// Random core images run on every kind of machine: nothing a program can do may harm the host or stop time.
+// Random core images on every kind of machine: no program may harm the host or stop time.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -42,8 +42,8 @@ type340::Display& display_of(pdp7::Machine& machine) {
   return *machine.find<type340::Display>();
 }
 
-// Runs go on after a halt; every instruction takes at least a cycle, and at most the longest EAE step count
-// plus what the display and the clock steal at one boundary.
+// Runs continue after a halt. Every instruction takes at least one cycle, and at most the longest EAE step count plus the cycles
+// that the display and the clock steal at one boundary.
 TEST(Pdp7RandomCore, RunsWithinBoundsAndTheSameTwice) {
   NEEDS_OPTIMISED_CODE();
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
@@ -74,7 +74,7 @@ TEST(Pdp7RandomCore, RunsWithinBoundsAndTheSameTwice) {
   }
 }
 
-// Whether strokes are wanted decides how the display works inside, never what the processor sees.
+// A taker of strokes changes how the display works internally, never what the processor observes.
 TEST(Pdp7RandomCore, ATakerOfStrokesChangesNothingForTheProcessor) {
   for (std::uint64_t seed = 1000; seed < 1100; ++seed) {
     SCOPED_TRACE(seed);

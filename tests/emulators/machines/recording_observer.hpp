@@ -1,4 +1,4 @@
-// An observer that keeps every bus event and every instruction, and can stop the run on request.
+// An observer that records every bus event and every instruction, and can stop the run on request.
 #pragma once
 
 #include <utility>

@@ -22,7 +22,7 @@ struct TranscriptCase {
   std::vector<std::pair<std::string, std::uint32_t>> set;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> core;  // address, word
   std::uint64_t run = 0;
-  std::vector<std::string> events;  // blanks made single
+  std::vector<std::string> events;  // repeated blanks reduced to one
   std::vector<std::pair<std::string, std::uint32_t>> end;
 };
 

@@ -1,4 +1,4 @@
-// Every instruction row against its hand-written bus transcript: time, verb, address and data of every cycle.
+// Every instruction row compared with its hand-written bus transcript: time, verb, address and data of every cycle.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ const std::vector<TranscriptCase>& all_cases() {
 }
 
 std::string text_of(const pdp7::Cycle& cycle) {
-  // Transcripts have one word for all cycles that read, and one for all that write.
+  // Transcripts use one verb for all cycles that read, and one for all that write.
   static constexpr const char* names[] = {"read", "read", "write",      "modify",      "write",
                                           "iot",  "idle", "break_read", "break_write", "break_modify"};
   std::ostringstream out;
@@ -160,7 +160,7 @@ TEST(Pdp7Vectors, EachEngineGivesTheResultsOfAnotherSimulator) {
   EXPECT_EQ(cases, 6688);
 }
 
-TEST(Pdp7Transcripts, NoInstructionRowIsWithoutATranscript) {
+TEST(Pdp7Transcripts, EveryInstructionRowHasATranscript) {
   std::set<std::string> written;
   for (const TranscriptCase& c : all_cases()) written.insert(c.rows.begin(), c.rows.end());
   for (const auto& row : pdp7::instructions) {

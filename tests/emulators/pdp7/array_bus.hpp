@@ -1,5 +1,5 @@
-// The smallest bus a PDP-7 processor runs on: an array of words that counts its cycles, and devices that
-// answer as the test says.
+// The smallest bus on which a PDP-7 processor runs: an array of words, a count of cycles, and devices whose answers the test
+// sets.
 #pragma once
 
 #include <array>
@@ -54,7 +54,7 @@ class ArrayBus {
 
 static_assert(pdp7::Bus<ArrayBus>);
 
-// Runs `instructions` from `state` and gives the state after.
+// Runs `instructions` from `state` and returns the state after them.
 inline pdp7::State run_on_array(ArrayMachine& machine, const pdp7::State& state, int instructions = 1,
                                 const pdp7::Model& model = {}) {
   const pdp7::Timing timing;

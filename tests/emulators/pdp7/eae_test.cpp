@@ -1,4 +1,4 @@
-// Laws of the EAE over seeded random operands, in plain arithmetic of the host.
+// Laws of the EAE for seeded random operands, computed in plain host arithmetic.
 #include "emulators/pdp7/eae.hpp"
 
 #include <gtest/gtest.h>
@@ -70,7 +70,7 @@ TEST_F(EaeLaws, DividendIsQuotientTimesDivisorPlusRemainder) {
   }
 }
 
-TEST_F(EaeLaws, DivisionThatDoesNotFitIsRefused) {
+TEST_F(EaeLaws, DivisionOverflowIsRejected) {
   for (int i = 0; i < 20000; ++i) {
     const std::uint32_t divisor = word();
     const std::uint32_t high = divisor + word() % (mask - divisor + 1);
@@ -148,7 +148,7 @@ TEST_F(EaeLaws, SignedNormalizeKeepsTheSignOfANegativeNumber) {
   }
 }
 
-// A count of 0 is 64 steps: the product has been shifted on by 46 places more.
+// A count of 0 means 64 steps: the product is shifted by 46 more places.
 TEST(Eae, CountZeroMeansSixtyFourSteps) {
   const auto product = pdp7::execute_eae(0653100, registers(3, 0, false), core::Word18(5));
   EXPECT_EQ(product.steps, 64);

@@ -1,5 +1,4 @@
-// The instruction table as a check on the processor: its cycles against the bus verbs an instruction really
-// uses.
+// The instruction table as a check on the processor: its cycle counts compared with the bus cycles that an instruction uses.
 #include "emulators/pdp7/isa.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +13,7 @@
 namespace sightline {
 namespace {
 
-// Runs one word at 100, all that it can point to leading to a NOP at 200, and gives the cycles it took.
+// Runs one word at 100, with every address it can reference leading to a NOP at 200, and returns its cycles.
 int cycles_of(std::uint32_t word) {
   tests::ArrayMachine machine;
   machine.core[0100] = core::Word18(word);
@@ -112,7 +111,7 @@ TEST(Pdp7Cpu, WithoutTheEaeItsClassIsACountedNoOperation) {
   EXPECT_EQ(machine.cycles, 1);
 }
 
-// By JMS 200 at 100: the word has the place after it.
+// JMS 200 at 100 saves the word: the PC in it is that of the next instruction.
 TEST(Pdp7Cpu, SavedWordHasLinkExtendAndTrapAboveThePc) {
   tests::ArrayMachine machine;
   machine.core[0100] = core::Word18(0100200);

@@ -1,4 +1,4 @@
-// All operate words against a rule that works on one bit at a time and shares nothing with the processor's.
+// All operate words compared with a rule that works on one bit at a time and shares nothing with the processor's.
 #include "emulators/pdp7/operate.hpp"
 
 #include <gtest/gtest.h>

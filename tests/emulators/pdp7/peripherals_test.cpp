@@ -1,4 +1,4 @@
-// Each device by itself: every IOT pulse, when its flag rises, what it puts on the bus.
+// Each device alone: every IOT pulse, when its flag rises, what it puts on the bus.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using core::at_nanoseconds;
 
 class Pdp7Peripherals : public testing::Test {
  protected:
-  // AC after the IOT at `ns`; bit 14 clears AC in the processor, so the tests pass what it would.
+  // AC after the IOT at `ns`. Bit 14 clears AC in the processor, so the tests pass the cleared value.
   std::uint32_t iot(std::int64_t ns, std::uint32_t word, std::uint32_t ac = 0) {
     last_ = {core::Word18(ac)};
     all_.at((word >> 6) & 077U)->iot(at_nanoseconds(ns), word, last_);
@@ -31,7 +31,7 @@ class Pdp7Peripherals : public testing::Test {
     EXPECT_EQ(last_.answered, 1U) << std::oct << word;
     return last_.skip;
   }
-  // What all of them do for an IORS.
+  // The combined IORS answer of all devices.
   std::uint32_t status(std::int64_t ns) {
     std::uint32_t bits = 0;
     for (core::IotDevice* const each : all_) bits |= each->status(at_nanoseconds(ns));
@@ -45,7 +45,7 @@ class Pdp7Peripherals : public testing::Test {
   [[nodiscard]] bool interrupt_request() const {
     return std::any_of(all_.begin(), all_.end(), [](const core::IotDevice* each) { return each->interrupt_request(); });
   }
-  // A tick is due, and gets its cycle.
+  // True if a tick is due; then gives it its cycle.
   bool tick(std::int64_t ns, std::uint32_t count = 1) {
     clock_.advance(at_nanoseconds(ns));
     const core::DataBreak* const request = clock_.data_break();
@@ -63,7 +63,7 @@ class Pdp7Peripherals : public testing::Test {
   pdp7::Punch punch_{timing_.punch_line};
   pdp7::Keyboard keyboard_{timing_.teletype_character};
   pdp7::Printer printer_{timing_.teletype_character};
-  std::array<core::IotDevice*, 5> all_{&clock_, &reader_, &punch_, &keyboard_, &printer_};  // by their codes
+  std::array<core::IotDevice*, 5> all_{&clock_, &reader_, &punch_, &keyboard_, &printer_};  // in order of their codes
   core::IotReply last_;
 };
 
@@ -85,7 +85,7 @@ TEST_F(Pdp7Peripherals, ReaderReadsALineOfEightHoles) {
   EXPECT_EQ(iot(9'000'000, 0700112), 0012U);
 }
 
-TEST_F(Pdp7Peripherals, ReaderAssemblesThreeLinesAndPassesOverThoseWithoutHoleEight) {
+TEST_F(Pdp7Peripherals, ReaderAssemblesThreeLinesAndSkipsThoseWithoutHoleEight) {
   reader_.load({0, 0, 0212, 0077, 0234, 0256, 0201, 0202, 0203});
   iot(0, 0700144);
   EXPECT_EQ(reader_.deadline(), at_nanoseconds(6 * line));
@@ -103,7 +103,7 @@ TEST_F(Pdp7Peripherals, ReaderOutOfTapeNeverRaisesItsFlag) {
   EXPECT_FALSE(skips(1'000'000'000, 0700101));
 }
 
-TEST_F(Pdp7Peripherals, ANewRequestLeavesTheTapeWhereItHadComeTo) {
+TEST_F(Pdp7Peripherals, ANewRequestDoesNotMoveTheTape) {
   reader_.load({0201, 0202, 0203, 0204, 0205, 0206});
   iot(0, 0700144);
   iot(line + 10, 0700144);
@@ -137,7 +137,7 @@ TEST_F(Pdp7Peripherals, KeyboardMarksChannelEightAndSendsTenCharactersASecond) {
   EXPECT_EQ(iot(200'000'000, 0700312), 0302U);
 }
 
-TEST_F(Pdp7Peripherals, AProgramThatHasReadItsKeyAsksForNone) {
+TEST_F(Pdp7Peripherals, WaitingForAKeyEndsWhenTheProgramReadsIt) {
   EXPECT_FALSE(skips(0, 0700301));
   EXPECT_TRUE(keyboard_.polled());
   keyboard_.press(at_nanoseconds(0), 'A');
@@ -188,7 +188,7 @@ TEST(Pdp7Clock, SixtyHertzDoesNotDrift) {
   EXPECT_EQ(clock.deadline(), at_nanoseconds(1'000'000'000));
 }
 
-TEST_F(Pdp7Peripherals, CafPutsEveryFlagDownAndTheClockOff) {
+TEST_F(Pdp7Peripherals, CafClearsEveryFlagAndTurnsTheClockOff) {
   reader_.load({0201});
   iot(0, 0700104);
   iot(0, 0700204, 1);

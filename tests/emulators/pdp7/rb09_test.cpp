@@ -1,5 +1,5 @@
-// The RB09 by itself: every IOT pulse, addresses, when words pass, and each error. Numbers follow from 80 sectors of 64
-// words a turn; one word is 1,000 ns here.
+// The RB09 alone: every IOT pulse, addresses, when words pass, and each error. The numbers follow from 80 sectors of 64 words
+// per revolution; one word takes 1,000 ns here.
 #include "emulators/pdp7/rb09.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ constexpr std::uint32_t dbcf = 0707101, dbsf = 0707121, dbcs = 0707141, dbrd = 0
                         dbld = 0707104, dblw = 0707124, dbls = 0707144;
 constexpr std::int64_t turn = 5120 * 1000;
 
-// Each word of the disk is its own address, as far as 18 bits go.
+// Each word of the disk is its own address, truncated to 18 bits.
 std::vector<Word18> numbered() {
   std::vector<Word18> words;
   for (std::uint32_t n = 0; n < 1024000; ++n) words.emplace_back(n & 0777777U);
@@ -40,7 +40,7 @@ class Rb09 : public testing::Test {
     return last_.skip;
   }
   std::uint32_t state() { return iot(0, dbrs); }
-  // Reads or writes `count` words from `core` on, the disk address in BCD.
+  // Starts a transfer of `count` words at core address `core`; the disk address is in BCD.
   void begin(std::int64_t ns, std::uint32_t bcd, std::uint32_t core, std::uint32_t count, std::uint32_t command) {
     iot(ns, dbcs);
     iot(ns, dbld, bcd);
@@ -52,7 +52,7 @@ class Rb09 : public testing::Test {
     disk_->advance(now);
     return disk_->data_break();
   }
-  // Grants each break as soon as it is asked for; the words that went to core, by address.
+  // Grants each break as soon as it is requested; returns the words that went to core, by address.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> serve(std::int64_t late = 0, std::uint32_t from_core = 0) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> words;
     while (disk_->deadline() != core::never && words.size() < 70000) {
@@ -76,7 +76,7 @@ class Rb09 : public testing::Test {
 };
 
 TEST_F(Rb09, AddressesAreBcd) {
-  // Every track and sector there is, and what comes back.
+  // Every track and sector, and the address that is read back.
   for (std::uint32_t track = 0; track < 200; ++track) {
     for (std::uint32_t sector = 0; sector < 80; ++sector) {
       const std::uint32_t bcd =
@@ -85,9 +85,9 @@ TEST_F(Rb09, AddressesAreBcd) {
       ASSERT_EQ(pdp7::rb09::bcd_of_address((track * 80 + sector) * 64 + 63), bcd);
     }
   }
-  iot(0, dbld, 0300000);  // the boot's track
+  iot(0, dbld, 0300000);  // the boot program's track
   EXPECT_EQ(disk_->address(), 180U * 80 * 64);
-  // AC bit 0 is no part of it.
+  // AC bit 0 is not part of the address.
   iot(0, dbld, 0700001);
   EXPECT_EQ(disk_->address(), (180U * 80 + 1) * 64);
   EXPECT_EQ(state(), 0U);
@@ -104,8 +104,8 @@ TEST_F(Rb09, ADigitAboveNineOrASectorAboveSeventyNineIsIllegal) {
   }
 }
 
-TEST_F(Rb09, ReadsFromTheNextPassageOfTheWord) {
-  // Sector 1 of track 2 comes by at word 64 of each turn; at 100,000 ns that of this turn has passed.
+TEST_F(Rb09, ReadsWhenTheWordPassesNext) {
+  // Sector 1 of track 2 passes at word 64 of each revolution; at 100,000 ns it has passed in this revolution.
   begin(100'000, 0x201, 0500, 3, status::busy);
   EXPECT_EQ(state(), status::busy);
   EXPECT_EQ(disk_->deadline(), at_nanoseconds(turn + 64'000));
@@ -122,18 +122,18 @@ TEST_F(Rb09, ReadsFromTheNextPassageOfTheWord) {
   EXPECT_FALSE(skips());
 }
 
-TEST_F(Rb09, GoesOnOverSectorsTracksAndTheEndOfTheDisk) {
+TEST_F(Rb09, ContinuesAcrossSectorsTracksAndTheEndOfTheDisk) {
   begin(0, 0x1'99'79, 07776, 130, status::busy);
   const auto words = serve();
   ASSERT_EQ(words.size(), 130U);
   EXPECT_EQ(words[63].second, 1023999U & 0777777);
   EXPECT_EQ(words[64], (std::pair<std::uint32_t, std::uint32_t>{010076, 0}));
   EXPECT_EQ(words[129].second, 65U);
-  // The address is where it has come to: sector 1 of track 0.
+  // The address is where the transfer ended: sector 1 of track 0.
   EXPECT_EQ(iot(0, dbrd), 1U);
 }
 
-// What no document settles, the other way.
+// Where the documents are silent: the non-default choices.
 TEST_F(Rb09, ObeysItsChoices) {
   disk_ = made({.word = core::Duration(1000), .clear_stops = false});
   begin(0, 0, 0100, 3, status::busy);
@@ -151,7 +151,7 @@ TEST_F(Rb09, ObeysItsChoices) {
   EXPECT_EQ(serve()[64].second, 64U);
 }
 
-TEST_F(Rb09, TheCoreAddressWrapsWhereItEnds) {
+TEST_F(Rb09, TheCoreAddressWraps) {
   begin(0, 0, 017777, 2, status::busy);
   EXPECT_EQ(serve()[1].first, 0U);
   pdp7::Rb09 extended{pdp7::rb09::Choices{.word = core::Duration(1000)}, pdp7::address_mask};
@@ -160,12 +160,12 @@ TEST_F(Rb09, TheCoreAddressWrapsWhereItEnds) {
   EXPECT_EQ(extended.core_address(), 057777U);
 }
 
-TEST_F(Rb09, AWordCountOfZeroIsAllOfThem) {
+TEST_F(Rb09, AWordCountOfZeroIsTheMaximum) {
   begin(0, 0, 0, 0, status::busy);
   EXPECT_EQ(serve().size(), 65536U);
 }
 
-TEST_F(Rb09, WritesBesideTheImage) {
+TEST_F(Rb09, WritesAreKeptApartFromTheImage) {
   EXPECT_FALSE(disk_->changed());
   begin(0, 0x100, 0, 2, status::busy | status::write);
   EXPECT_EQ(break_at(disk_->deadline())->direction, core::DataBreak::Direction::from_core);
@@ -210,7 +210,7 @@ TEST_F(Rb09, StatusTogglesThreeBitsAndTakesTheOthers) {
   iot(0, dbls, status::interrupts | 0777);
   EXPECT_EQ(state(), 0U);
   EXPECT_FALSE(disk_->interrupt_request());
-  // Busy set begins, cleared ends.
+  // Setting busy starts a transfer, clearing it ends one.
   iot(0, dbls, status::busy);
   EXPECT_NE(disk_->deadline(), core::never);
   iot(0, dbls, status::busy);
@@ -242,7 +242,7 @@ TEST_F(Rb09, PulsesOfOneCodeActInOrder) {
   EXPECT_EQ(iot(0, dbsf | 2U), status::done);
   EXPECT_TRUE(last_.skip);
   EXPECT_EQ(last_.answered, 3U);
-  // Subdevice 060 is nobody's.
+  // Subdevice 060 is unused.
   iot(0, 0707161);
   EXPECT_EQ(last_.answered, 0U);
 }

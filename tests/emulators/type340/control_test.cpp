@@ -1,4 +1,4 @@
-// What the PDP-7's IOTs do to a display, in the cases the event files do not hold.
+// The effect of the PDP-7's IOTs on a display, in the cases that the event files do not contain.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -25,8 +25,8 @@ using core::Word18;
 
 class DisplayControl : public ::testing::Test {
  protected:
-  // Starts at `address` at t and gives the words without waiting; returns the instant of the request after the last, or
-  // of the last word's hundredth microsecond when it raises none.
+  // Starts at `address` at t and gives the words without waiting. Returns the instant of the request after the last word, or
+  // 10 ns after the last word if there is no request.
   std::int64_t play(std::int64_t t, std::uint32_t address, const std::vector<std::uint32_t>& words) {
     display_.load_address_and_start(at_nanoseconds(t), Word18(address));
     for (const std::uint32_t word : words) {
@@ -102,7 +102,7 @@ TEST_F(DisplayControl, ClearFlagsLeavesTheRunningWordAlone) {
   EXPECT_EQ(display_.requested_at(), at_nanoseconds(t + 193'800));
 }
 
-// The old word ends where it is; scale, intensity and position stay.
+// The running word ends where it is; scale, intensity and position stay.
 TEST_F(DisplayControl, StartWhileRunningAbandonsTheWord) {
   const std::int64_t t = play(0, 0, {0100137});
   display_.end_break(at_nanoseconds(t), Word18(0200177));
@@ -120,7 +120,7 @@ TEST_F(DisplayControl, StartWhileRunningAbandonsTheWord) {
   EXPECT_EQ(display_.registers().intensity, 7);
 }
 
-TEST_F(DisplayControl, RestartRunsOnFromTheCounter) {
+TEST_F(DisplayControl, RestartContinuesFromTheCounter) {
   const std::int64_t t = play(0, 0100, {0, 0003000});
   display_.restart(at_nanoseconds(t));
   ASSERT_NE(display_.data_break(), nullptr);
@@ -137,8 +137,8 @@ TEST_F(DisplayControl, PowerClearStopsEverything) {
   EXPECT_EQ(display_.registers().y, 0321);
 }
 
-// A stop word that names mode 1: IDRS does the buffer again, now as a point word, and the display runs on.
-TEST_F(DisplayControl, ResumeAfterAStopDoesTheBufferAgain) {
+// A stop word that names mode 1: IDRS executes the buffer again, now as a point word, and the display continues.
+TEST_F(DisplayControl, ResumeAfterAStopExecutesTheBufferAgain) {
   const std::int64_t t = play(0, 0, {0023000});
   ASSERT_EQ(display_.data_break(), nullptr);
   display_.resume(at_nanoseconds(t));

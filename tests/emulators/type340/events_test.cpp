@@ -1,5 +1,5 @@
-// Every request, flash, flag change and final state of 241 display files, to the nanosecond, in three ways: in
-// small ticks of time, from deadline to deadline as a machine does, and so again when nobody wants the flashes.
+// Every request, flash, flag change and final state of 241 display files, to the nanosecond, in three ways: in small steps of
+// time, from deadline to deadline as a machine does, and the latter without a taker of flashes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ void expect_equal(const std::string& id, const std::vector<Event>& expected, con
   ADD_FAILURE() << id << ", record " << i << ": expected " << describe(expected, i) << ", found " << describe(found, i);
 }
 
-// `run` gives what happened in the file; kinds named in `unseen` by their first letter are not compared.
+// `run` returns the events of a file; kinds whose first letter is in `unseen` are not compared.
 void compare_all(const std::string& unseen, const std::function<std::vector<Event>(const EventFile&)>& run,
                  const std::function<bool(const EventFile&)>& take = [](const EventFile&) { return true; }) {
   Totals totals;
@@ -73,12 +73,12 @@ TEST(DisplayEvents, AgreeWithTheModelInSmallTicks) {
   compare_all("", [](const EventFile& file) { return run_watched(file, Stepping::ticks); });
 }
 
-// FIND is not seen outside the display, so it has no deadline.
+// FIND is not visible outside the display, so it has no deadline.
 TEST(DisplayEvents, AgreeWithTheModelFromDeadlineToDeadline) {
   compare_all("F", [](const EventFile& file) { return run_watched(file, Stepping::deadlines); });
 }
 
-TEST(DisplayEvents, AgreeWithTheModelWhenNobodyWatches) {
+TEST(DisplayEvents, AgreeWithTheModelWithoutATaker) {
   compare_all(
       "FI",
       [](const EventFile& file) {

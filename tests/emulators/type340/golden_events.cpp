@@ -47,7 +47,7 @@ constexpr std::string_view flag_records[] = {"S1", "S0", "T1", "T0", "H1", "H0",
   return !words.empty() && line.eof();
 }
 
-// Directions are those of the keys of a numeric keypad.
+// Directions are numbered as on a numeric keypad.
 [[nodiscard]] bool read_flashes(std::istream& line, EventFile& file) {
   std::int64_t t = 0;
   std::int64_t k = 0;

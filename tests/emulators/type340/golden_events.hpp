@@ -13,7 +13,7 @@
 
 namespace sightline::type340::testing {
 
-// One line of a record list. `text` has neither time nor the note k; a run of flashes is one event a flash.
+// One line of a record list. `text` contains neither time nor the note k; a run of flashes becomes one event per flash.
 struct Event {
   std::int64_t time = 0;  // ns
   std::string text;

@@ -1,5 +1,5 @@
 // Transcripts of every display mode and of stop, edge, pen and data break, computed by hand: tests/data/type340/modes.txt.
-// The last record of a hang is its request: nothing comes after it.
+// The last record of a hang is its request: nothing follows it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ TEST(DisplayModes, TranscriptsAgree) {
   }
 }
 
-// Seven words of Cambridge use: a box open to the left, 534.6 us with no wait for a break.
+// Seven words of a Cambridge program: a box open to the left, 534.6 us without wait for a break.
 TEST(DisplayModes, WorkedFile) {
   EventFile file;
   file.id = "worked";
@@ -70,7 +70,7 @@ TEST(DisplayModes, WorkedFile) {
   EXPECT_EQ(replay.display().counters().passes_stopped, 1U);
 }
 
-// Without the second flashing of a spot only pulses that move are seen; time and path stay.
+// Without the repeated flash of a spot only pulses that move are visible; time and path stay.
 TEST(DisplayModes, FlashAgainCanBeSwitchedOff) {
   EventFile file;
   file.id = "once";

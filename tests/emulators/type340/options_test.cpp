@@ -23,7 +23,7 @@ struct LitPoints final : core::StrokeTaker {
   }
 };
 
-// A memory whose breaks take no time; `log` has every break as address and time in octal and ns.
+// A memory whose breaks take no time; `log` records every break as address and time in octal and ns.
 class DisplayOptions : public ::testing::Test {
  protected:
   void put(std::uint32_t address, const std::vector<std::uint32_t>& words) {
@@ -58,7 +58,7 @@ class DisplayOptions : public ::testing::Test {
 
 using Log = std::vector<std::pair<int, std::int64_t>>;
 
-// To 5312, where an escaping vector of seven pulses comes back to the word after the call; 3.3 us a jump.
+// To 5312, where an escaping vector of seven pulses returns to the word after the call; a jump takes 3.3 us.
 TEST_F(DisplayOptions, JumpAndSaveReturnsOnEscape) {
   put(0, {0160117, 0705312, 0003000});
   put(05312, {0600003});
@@ -69,7 +69,7 @@ TEST_F(DisplayOptions, JumpAndSaveReturnsOnEscape) {
   EXPECT_FALSE(display_.registers().save);
 }
 
-TEST_F(DisplayOptions, JumpGoesOnInTheModeItNames) {
+TEST_F(DisplayOptions, JumpContinuesInTheModeItNames) {
   put(0, {0160000, 0420100});  // DJP 100, mode point
   put(0100, {0000321, 0003000});
   run(0);
@@ -77,9 +77,10 @@ TEST_F(DisplayOptions, JumpGoesOnInTheModeItNames) {
   EXPECT_EQ(display_.registers().x, 0321);
 }
 
-// The subroutine plants a jump back at its end: DDS writes DJP to the saved address, and the escape before it does not
-// return, for DDS has taken SAVE down.
-TEST_F(DisplayOptions, DepositPlantsTheReturn) {
+// The subroutine stores its return jump at its own end: DDS writes DJP to the saved address. The escape before it does not
+// return,
+// because DDS has cleared SAVE.
+TEST_F(DisplayOptions, DepositStoresTheReturnJump) {
   put(0, {0160117, 0760200, 0003000});      // DJS 200, mode 7
   put(0200, {0300210, 0600003, 0160000});   // DDS 210, mode 4; a vector that escapes; to mode 7
   put(0203, {0560210});                     // DJP 210, mode 7
@@ -90,9 +91,9 @@ TEST_F(DisplayOptions, DepositPlantsTheReturn) {
   EXPECT_TRUE(display_.stop_interrupt(at_nanoseconds(2'000'000)));
 }
 
-// IDRS in the deflection of a lit Y point that names mode 7 does its word again as DDS 2100; the point's own request, at
-// 42.1 us, then takes the place of the write.
-TEST_F(DisplayOptions, ARequestTakesThePlaceOfADeposit) {
+// IDRS during the deflection of a lit Y point that names mode 7 executes its word again as DDS 2100. The point's own request, at
+// 42.1 us, then replaces the write.
+TEST_F(DisplayOptions, ARequestReplacesADeposit) {
   using Direction = core::DataBreak::Direction;
   for (const std::int64_t served : {42'500, 50'000}) {
     Display display({.subroutines_347 = true}, strokes_);
@@ -105,8 +106,9 @@ TEST_F(DisplayOptions, ARequestTakesThePlaceOfADeposit) {
     ASSERT_NE(display.data_break(), nullptr);
     EXPECT_EQ(display.data_break()->direction, Direction::to_core);
     EXPECT_EQ(display.data_break()->address, 02100);
-    // A break that begins before the request writes, and the next one takes the display word; one that begins later is
-    // of the request itself.
+    // A break that begins before the request writes, and the next one takes the display word. A break that begins later belongs
+    // to
+    // the request.
     const bool writes = served < 45'000;
     if (!writes) display.advance(at_nanoseconds(42'100));
     display.end_break(at_nanoseconds(served), Word18(0003000));
@@ -126,8 +128,8 @@ TEST_F(DisplayOptions, EdgeEscapesFromASubroutineToo) {
   EXPECT_EQ(log_, (Log{{0, 0}, {1, 3300}, {0100, 6600}, {2, 6600 + 4300}}));
 }
 
-// A start forgets a call under way.
-TEST_F(DisplayOptions, StartTakesSaveDown) {
+// A start cancels a pending return.
+TEST_F(DisplayOptions, StartClearsSave) {
   put(0, {0160117, 0740100});
   run(0, 7000);
   display_.load_address_and_start(at_nanoseconds(8000), Word18(0300));
@@ -145,7 +147,7 @@ TEST_F(DisplayOptions, SpacesMoveDark) {
   EXPECT_TRUE(flashes_.points.empty());
 }
 
-// I is a stem between two bars; the beam ends at the next character's start on the base line.
+// I is a stem between two bars; the beam ends at the start of the next character on the base line.
 TEST_F(DisplayOptions, LettersAreDrawnInTheirCell) {
   put(0, {0060117, 0113700, 0003000});
   run(0);
@@ -157,7 +159,7 @@ TEST_F(DisplayOptions, LettersAreDrawnInTheirCell) {
   EXPECT_EQ(display_.registers().mode, Mode::parameter);
 }
 
-// Line feed steps down eleven, carriage return clears X, shift-out takes the second set until shift-in.
+// Line feed moves down eleven, carriage return clears X, shift-out selects the second set until shift-in.
 TEST_F(DisplayOptions, ControlCodes) {
   put(0, {0020117, 0220144, 060144, 0404033, 0343637, 0003000});
   run(0);
@@ -168,7 +170,7 @@ TEST_F(DisplayOptions, ControlCodes) {
   EXPECT_FALSE(display_.registers().shift_out);
 }
 
-// The flag goes up when a character runs off, the character is drawn to its end, and the next request takes it down.
+// The flag rises when a character crosses the edge. The character is drawn to its end, and the next request clears the flag.
 TEST_F(DisplayOptions, CharactersOverAnEdgeWrap) {
   put(0, {0020117, 0061777, 0404040, 0373737, 0003000});
   run(0);

@@ -1,4 +1,4 @@
-// Plays an event file to a Display and writes down what it does, as events of the same form.
+// Plays an event file to a Display and records what it does, as events of the same form.
 #pragma once
 
 #include <algorithm>
@@ -24,19 +24,19 @@ struct FlashEvents final : core::StrokeTaker {
 };
 
 enum class Stepping {
-  ticks,      // to every 50 ns, which all times of the files are multiples of
-  deadlines,  // as a machine does: to the deadlines of the display and its own
+  ticks,      // every 50 ns, of which all times in the files are multiples
+  deadlines,  // as a machine does: to the deadlines of the display and of the replay
 };
 
 class Replay {
  public:
-  // `taker` has all flashes when run() returns; null: nobody wants them.
+  // `taker` has all flashes when run() returns; null: there is no taker.
   Replay(const EventFile& file, core::StrokeTaker* taker, Options options = {}) : file_(file), display_(options, strokes_) {
     strokes_.hand_to(taker);
     display_.point_light_pen(file.pen);
   }
 
-  // Events in the order they happened, flashes excepted.
+  // Events in order, without flashes.
   [[nodiscard]] std::vector<Event> run(Stepping stepping) {
     const std::int64_t end = file_.events.back().time + 100'000;
     std::int64_t now = 0;
@@ -72,7 +72,7 @@ class Replay {
     return text;
   }
 
-  // Starts and resumes are what the file gives; all else is what it expects.
+  // Starts and resumes are inputs of the file; all else is expected output.
   void give(const Event& event) {
     const core::Instant t = core::at_nanoseconds(event.time);
     if (event.text[0] == 'G') {

@@ -1,4 +1,4 @@
-// The rate multiplier against reference paths, the steps of its stages, and the display's end points.
+// The rate multiplier compared with reference paths, the steps of its stages, and the display's end points.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -58,8 +58,8 @@ TEST(RateMultiplier, FollowsTheReferencePaths) {
   EXPECT_EQ(vectors, 27);
 }
 
-// Every pulse of every vector, by the stage that it turns on.
-TEST(RateMultiplier, StagesPassTheStepsOfThePulses) {
+// Every pulse of every vector, by the stage that it changes.
+TEST(RateMultiplier, StagesMakeTheStepsOfThePulses) {
   for (unsigned dx = 0; dx < 128; ++dx) {
     for (unsigned dy = 0; dy < 128; ++dy) {
       const auto d = static_cast<std::uint8_t>(dx | dy);
@@ -104,7 +104,7 @@ struct LastFlashes final : core::StrokeTaker {
   }
 };
 
-// A parameter word, then the vector with escape, from where the beam is.
+// A parameter word, then the vector with escape, from the beam's position.
 void draw(Display& display, std::int64_t start, std::uint32_t vector) {
   display.load_address_and_start(core::at_nanoseconds(start), core::Word18(0));
   display.end_break(core::at_nanoseconds(start), core::Word18(0100117));
@@ -131,7 +131,7 @@ TEST(Display, EveryVectorStartsDarkAndEndsLitAtItsEndPoint) {
   int y = 512;
   for (std::uint32_t dx = 0; dx < 128; ++dx) {
     for (std::uint32_t dy = dx % step; dy < 128; dy += step) {
-      // Four signs one after the other return to the middle.
+      // The four combinations of signs in turn return to the middle.
       for (const std::uint32_t signs : {0U, 0100200U, 0100000U, 0000200U, 0000200U, 0100000U, 0100200U, 0U}) {
         const int from_x = x;
         const int from_y = y;

@@ -1,6 +1,6 @@
-// A display that is advanced at its deadlines executes words as a whole; one that is advanced every 50 ns makes each
-// pulse. Both run random files side by side, started, cleared, resumed and read at random instants: registers, requests
-// and interrupt request agree at every access, and the flashes, which the first gives in every other file.
+// A display that is advanced at its deadlines executes whole words; one that is advanced every 50 ns makes each pulse. Both run
+// random files side by side, started, cleared, resumed and read at random instants. Registers, requests and interrupt requests
+// must agree at every access; so must the flashes, which the first display emits in every other file.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,7 +47,7 @@ using Random = std::mt19937;
   return memory;
 }
 
-// A display, its memory, and the break that reaches it one cycle after the request.
+// A display, its memory, and a break that is granted one cycle after the request.
 struct Rig {
   Rig(const Options& options, const Memory& words, core::StrokeTaker* taker) : display(options, strokes), memory(words) {
     strokes.hand_to(taker);
@@ -59,7 +59,7 @@ struct Rig {
 
   [[nodiscard]] core::Instant served_at() const { return display.requested_at() + core::Duration(1750); }
 
-  // All deliveries up to now; the display ends at now.
+  // Makes all transfers up to `now` and advances the display to `now`.
   void run(core::Instant now) {
     while (const core::DataBreak* request = display.data_break()) {
       if (served_at() > now) break;
@@ -69,16 +69,16 @@ struct Rig {
 
   [[nodiscard]] core::Instant next() const { return display.data_break() == nullptr ? display.deadline() : served_at(); }
 
-  // As a machine: from one thing to do to the next.
+  // As a machine does: from one deadline to the next.
   void run_by_deadlines(core::Instant now) {
     while (next() <= now) {
       const core::Instant at = next();
       display.advance(at);
       const bool asks = display.data_break() != nullptr;
-      ASSERT_TRUE(asks ? display.deadline() <= at : display.deadline() > at);  // or a machine would not get on
+      ASSERT_TRUE(asks ? display.deadline() <= at : display.deadline() > at);  // or a machine would make no progress
       run(at);
     }
-    if (display.data_break() != nullptr) display.advance(now);  // it is due all the time
+    if (display.data_break() != nullptr) display.advance(now);  // it is always due
   }
 };
 
@@ -165,7 +165,7 @@ TEST(Display, WholeWordsAgreeWithPulsesAtEveryAccess) {
   EXPECT_GT(flashes, tests::effort(10'000U, 1500U));
 }
 
-// Any words, started again twenty times per file.
+// Random words, started twenty times per file.
 TEST(Display, RandomWordsNeitherHangNorLeaveTheScreen) {
   Random random(7);
   std::size_t flashes = 0;
@@ -189,8 +189,8 @@ TEST(Display, RandomWordsNeitherHangNorLeaveTheScreen) {
   EXPECT_GT(flashes, 10'000U);
 }
 
-// Vector continue of (0, 0), lit: nothing flashes, nothing ends, and an hour of it passes at once. The rate
-// multiplier stands where so many pulses turn it.
+// Vector continue of (0, 0), lit: it never flashes and never ends, and an hour of it is skipped at once. The rate multiplier then
+// has the state that so many pulses give.
 TEST(Display, EndlessVectorContinueCostsNothing) {
   Flashes flashes;
   core::StrokeBuffer strokes;
@@ -211,7 +211,7 @@ TEST(Display, EndlessVectorContinueCostsNothing) {
     ASSERT_EQ(display.deadline(), core::never) << pulse;
     ASSERT_EQ(display.next_pulse(), at + core::Duration(1000)) << pulse;
   }
-  // An hour after the first comes pulse 2,400,000,001: the first of a turn of eight.
+  // An hour later comes pulse 2,400,000,001: the first of a cycle of eight.
   const auto hour = core::at_nanoseconds(6600) + core::seconds(3600);
   display.advance(hour);
   RateMultiplier one;
@@ -223,7 +223,7 @@ TEST(Display, EndlessVectorContinueCostsNothing) {
   display.advance(core::never);
   strokes.flush();
   EXPECT_TRUE(flashes.all.empty());
-  // It answers an IDLA as any word.
+  // It answers an IDLA like any other word.
   display.load_address_and_start(core::never - core::milliseconds(1), core::Word18(0100));
   ASSERT_NE(display.data_break(), nullptr);
   EXPECT_EQ(display.data_break()->address, 0100);

@@ -1,4 +1,4 @@
-// Display words of period programs, read as their authors wrote them, and the table against the decoders.
+// Display words of programs of the time, decoded as their authors meant them, and the table compared with the decoders.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -10,7 +10,7 @@ namespace {
 
 using core::Word18;
 
-// Light Pen Diagnostic (DEC, 1964): next mode point, pen on, scale 0, intensity 0; PIXIE: the same with intensity 7.
+// Light Pen Diagnostic (DEC, 1964): next mode point, pen on, scale 0, intensity 0. PIXIE has the same with intensity 7.
 static_assert(decode_parameter(Word18(0034110)).next == Mode::point);
 static_assert(decode_parameter(Word18(0034110)).pen == true);
 static_assert(decode_parameter(Word18(0034110)).scale == 0);
@@ -66,7 +66,7 @@ static_assert(following(Mode::character, Word18(0010237)).mode == Mode::paramete
 static_assert(following(Mode::character, Word18(0010203)).mode == Mode::character);
 static_assert(following(Mode::subroutine, Word18(0705312)).mode == Mode::vector);
 
-TEST(DisplayWords, FieldsOfALayoutHaveNamesOfTheirOwn) {
+TEST(DisplayWords, FieldsOfALayoutHaveDistinctNames) {
   for (const Layout& layout : layouts) {
     std::set<std::string_view> names;
     for (const Field& field : layout.fields) {
@@ -77,7 +77,7 @@ TEST(DisplayWords, FieldsOfALayoutHaveNamesOfTheirOwn) {
   }
 }
 
-// A field read by its row of the table is the decoded member of that name.
+// A field extracted by its row of the table equals the decoded member of that name.
 TEST(DisplayWords, TableAndDecodersAgree) {
   const auto field = [](Mode mode, std::string_view name, Word18 word) {
     for (const Field& f : layout_of(mode).fields) {

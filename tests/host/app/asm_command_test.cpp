@@ -1,4 +1,4 @@
-// `sightline asm pdp7`: outputs, options, and that nothing is written when there is an error.
+// `sightline asm pdp7`: outputs, options, and no output after an error.
 #include "tests/host/app/command_line.hpp"
 
 namespace {
@@ -83,7 +83,7 @@ TEST_F(AsmCommand, TheDialectOfBell) {
   EXPECT_TRUE(has(ran.out, "200103 020003 777777 141142 000012 000010")) << ran.out;
 }
 
-TEST_F(AsmCommand, EachDialectRefusesTheOtherByName) {
+TEST_F(AsmCommand, EachDialectRejectsTheOtherByName) {
   write("a.s", source);
   write("b.s", "a: lac 1f \" five\n1: 5\n");
   const auto bell = sightline({"asm", "pdp7", "--dialect", "bell", "a.s", "-o", "a.rim"});
@@ -104,7 +104,7 @@ TEST_F(AsmCommand, TheMonitorReadsBothDialects) {
   const auto ran = sightline({"monitor", "pdp7", "b.s", "--dialect", "bell", "--start", "100"}, "continue\nassert ac==5\n");
   EXPECT_EQ(ran.exit_code, 0) << ran.err << ran.out;
   EXPECT_EQ(sightline({"monitor", "pdp7", "b.s"}, "quit\n").exit_code, 4);
-  // Sources side by side are one program, and what is typed is in their dialect; the keys are those of the console's mode.
+  // Several sources are one program, and typed instructions are in their dialect; the keys are those of the console's mode.
   write("one.s", "..=0\n.=0100\nbegin: jms put\n hlt\n");
   write("two.s", "put: 0\n lac d9\n jmp put i\nd9: 9\n");
   const auto two = sightline({"monitor", "pdp7", "one.s", "two.s", "--dialect", "bell", "--start", "100"},

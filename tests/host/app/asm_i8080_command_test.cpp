@@ -1,5 +1,4 @@
-// `sightline asm i8080` and `disasm i8080`: formats, options, and that nothing is written when there is an
-// error.
+// `sightline asm i8080` and `disasm i8080`: formats, options, and no output after an error.
 #include "tests/host/app/command_line.hpp"
 
 namespace {
@@ -50,7 +49,7 @@ TEST_F(AsmI8080Command, AllErrorsAndNothingWritten) {
   EXPECT_EQ(read("bad.com"), "as it was");
 }
 
-TEST_F(AsmI8080Command, EveryOutputIsAFileOfItsOwn) {
+TEST_F(AsmI8080Command, EveryOutputNeedsASeparateFile) {
   write("a.asm", source);
   write("b.asm", "\tNOP\n");
   for (const Arguments& outputs : std::vector<Arguments>{{"-o", "x", "--listing", "x"},
@@ -85,7 +84,7 @@ TEST_F(AsmI8080Command, AComHasNothingBelow0100) {
   EXPECT_FALSE(exists("low.com"));
 }
 
-TEST_F(AsmI8080Command, DisassemblyComesBack) {
+TEST_F(AsmI8080Command, DisassemblyRoundTrips) {
   write("a.asm", source);
   ASSERT_EQ(sightline({"asm", "i8080", "a.asm", "-o", "a.com"}).exit_code, 0);
   ASSERT_EQ(sightline({"asm", "i8080", "a.asm", "-o", "a.hex"}).exit_code, 0);

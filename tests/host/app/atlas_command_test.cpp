@@ -1,4 +1,4 @@
-// `sightline atlas`: the same bytes from any number of threads, what it says, and what a user gets wrong.
+// `sightline atlas`: the same bytes from any number of threads, its output, and usage errors.
 #include "tests/host/app/command_line.hpp"
 
 namespace {
@@ -39,12 +39,12 @@ TEST_F(AtlasCommand, SaysWhatIsWrongAndHowToSeeIt) {
   EXPECT_TRUE(has(right.out, "slowest view  sightline jones house --eye ")) << right.out;
   EXPECT_TRUE(has(right.out, "picture out/house-atlas.png")) << right.out;
   EXPECT_FALSE(has(right.out, "worst view")) << right.out;
-  // A printed command can be pasted, whatever the scene's file is called.
+  // A printed command can be pasted, for any file name of the scene.
   std::filesystem::create_directory(path("a b"));
   std::filesystem::copy_file(std::filesystem::path(SIGHTLINE_SOURCE_DIR) / "host/scene/read/builtin/house.json", path("a b/house.json"));
   const auto named = sightline({"atlas", "a b/house.json", "--lattice", "1,1"});
   EXPECT_TRUE(has(named.out, "slowest view  sightline jones 'a b/house.json' --eye ")) << named.out << named.err;
-  // View 25 is one of those that are wrong.
+  // View 25 is a wrong one.
   const auto wrong = sightline({"atlas", "street4", "--views", "26", "-o", "maps"});
   EXPECT_EQ(wrong.exit_code, 0) << wrong.err;
   EXPECT_TRUE(has(wrong.out, "sightline compare street4 --eye 138,194,1178\n")) << wrong.out;
@@ -53,7 +53,7 @@ TEST_F(AtlasCommand, SaysWhatIsWrongAndHowToSeeIt) {
 }
 
 TEST_F(AtlasCommand, EyesInSolidsAreLeftOutAndCounted) {
-  // The first house on the left is x -500 to -200, z 400 to 700; of the eyes of this lattice some are in it.
+  // The first house on the left is x -500 to -200, z 400 to 700; some eyes of this lattice are in it.
   const auto ran = sightline({"atlas", "street4", "--lattice", "5,15", "--no-eae", "--fraction", "2"});
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
   EXPECT_FALSE(has(ran.out, "in free space 75,")) << ran.out;
@@ -86,14 +86,14 @@ TEST_F(AtlasCommand, DamagedScenes) {
   EXPECT_FALSE(exists("to"));
 }
 
-TEST_F(AtlasCommand, APlaceThatCannotBeWritten) {
+TEST_F(AtlasCommand, AFolderThatCannotBeWritten) {
   write("file", "");
   const auto ran = sightline({"atlas", "house", "--lattice", "2,2", "-o", "file"});
   EXPECT_EQ(ran.exit_code, 5) << ran.err;
   EXPECT_EQ(ran.out, "");
 }
 
-TEST_F(AtlasCommand, InterruptedItLeavesNothing) {
+TEST_F(AtlasCommand, AnInterruptedRunLeavesNoFiles) {
   const auto ran =
       sightline({"atlas", "corridor32", "--views", "100000"}, "", std::chrono::milliseconds(1500));
   EXPECT_EQ(ran.exit_code, 130) << ran.err;

@@ -1,5 +1,5 @@
-// Everything that can be wrong with a scene or with the place for a picture, by every command that takes one:
-// the exit code, a message that names file, place and what was found, and nothing half written.
+// Every error in a scene or an output path, for every command that takes one: the exit code, a message that names the file, the
+// position and what was found, and no partial files.
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -29,7 +29,7 @@ struct Damage {
   std::string name;
   std::string file;
   std::string text;
-  std::string found;  // in the message, after the file's name
+  std::string found;  // in the message, after the name of the file
 };
 
 const std::vector<Damage>& damages() {
@@ -62,7 +62,7 @@ const std::vector<Damage>& damages() {
   return all;
 }
 
-// What is mended unless --strict is given; but by `scene check`.
+// Errors that are mended unless --strict is given; `scene check` still reports them.
 const std::vector<Damage>& mendable() {
   static const std::vector<Damage> all{
       {"not_planar_off", "s.off", "OFF\n4 1 0\n0 0 0\n9 0 0\n9 9 1\n0 9 0\n4 0 1 2 3\n",
@@ -72,7 +72,7 @@ const std::vector<Damage>& mendable() {
   return all;
 }
 
-// Each with a place for its output in a folder that is empty.
+// Each with an output path in an empty folder.
 std::vector<Arguments> commands(const std::string& scene) {
   return {{"scene", "check", scene},
           {"scene", "check", "--json", scene},
@@ -119,7 +119,7 @@ TEST_F(BadInput, DamagedScenes) {
     SCOPED_TRACE(damage.name);
     write(damage.file, damage.text);
     for (const Arguments& arguments : commands(damage.file)) {
-      // Jones's program takes cells only, and says so first.
+      // Jones's program takes only cells, and reports that first.
       const bool cells_only = arguments.front() == "jones";
       expect_refused(arguments, 4, damage.file + ": " + (cells_only ? "" : damage.found));
     }
@@ -161,7 +161,7 @@ TEST_F(BadInput, AnEyeInsideASolid) {
   for (const char* algorithm : {"exact", "jones", "oracle"})
     expect_refused({"draw", algorithm, "s.json", "-o", "to/out.svg"}, 4, message);
   expect_refused({"compare", "s.json", "-o", "to/out"}, 4, message);
-  // Nothing else looks through that eye.
+  // All other commands do not use that eye.
   EXPECT_EQ(sightline({"scene", "decompose", "s.json"}).exit_code, 0);
   EXPECT_EQ(sightline({"sweep", "s.json", "--views", "2"}).exit_code, 0);
   EXPECT_EQ(sightline({"draw", "jones", "s.json", "--eye", "50,40,30", "-o", "to/out.svg"}).exit_code, 0);
@@ -173,14 +173,14 @@ TEST_F(BadInput, FilesThatCannotBeRead) {
     expect_refused(arguments, 5, "folder.json: cannot read: Is a directory");
   for (const Arguments& arguments : commands("none.json"))
     expect_refused(arguments, 5, "none.json: no such file");
-  if (geteuid() == 0) return;  // who may read everything
+  if (geteuid() == 0) return;  // root may read everything
   write("secret.json", std::string(cube) + "}");
   std::filesystem::permissions(path("secret.json"), std::filesystem::perms::none);
   for (const Arguments& arguments : commands("secret.json"))
     expect_refused(arguments, 5, "secret.json: cannot read: Permission denied");
 }
 
-// A limit on the size of files does what a full disk does, and needs no disk.
+// A limit on the size of files acts like a full disk, without needing one.
 class FullDisk : public BadInput {
  protected:
   Ran sightline(const Arguments& arguments) {
@@ -208,7 +208,7 @@ TEST_F(FullDisk, LeavesNothing) {
   expect_full({"scene", "decompose", "boxes-30", "-o", "to/out.json"});
   for (const char* file : {"to/out.svg", "to/out.png", "to/out.plt"})
     expect_full({"draw", "exact", "boxes-100", "-o", file});
-  // The folder for the overlays is made before them.
+  // The folder for the overlays is made before the overlays.
   const Ran compare = sightline({"compare", "boxes-3", "--all", "-o", "to/compare"});
   EXPECT_EQ(compare.exit_code, 5);
   EXPECT_TRUE(has(compare.err, "to/compare/boxes-3-compare-exact.png: cannot write: File too large"))
@@ -225,7 +225,7 @@ TEST_F(FullDisk, LeavesWholeLinesOfASweep) {
   EXPECT_LE(lines.size(), 4096U);
 }
 
-TEST_F(BadInput, AFileThatIsThereStays) {
+TEST_F(BadInput, AnExistingFileIsKept) {
   write("old.off", "old");
   write("s.json", sheet("[0,0,0],[9,0,0],[0,9,0],[7,7,7]", "[0,1,2]"));
   EXPECT_EQ(sightline({"scene", "convert", "s.json", "-o", "old.off"}).exit_code, 4);
@@ -233,7 +233,7 @@ TEST_F(BadInput, AFileThatIsThereStays) {
   EXPECT_EQ(files(), (std::vector<std::string>{"old.off", "s.json", "to"}));
 }
 
-TEST_F(BadInput, PlacesThatTakeNothing) {
+TEST_F(BadInput, PathsThatCannotBeWritten) {
   write("file", "");
   std::filesystem::create_directory(path("folder.svg"));
   expect_refused({"draw", "exact", "house", "-o", "folder.svg"}, 5,
@@ -254,7 +254,7 @@ TEST_F(BadInput, PlacesThatTakeNothing) {
     expect_refused(arguments, 5, "standard output: cannot write: No space left on device");
 }
 
-TEST_F(BadInput, AFileOfAnotherKindIsToldWhatIsRead) {
+TEST_F(BadInput, AnErrorForAnotherKindOfFileListsTheReadableKinds) {
   write("s.fbx", "Kaydara FBX Binary");
   write("s.csv", "1,2\n3,4\n");
   write("s.stl", "solid\nendsolid\n");

@@ -1,4 +1,4 @@
-// Runs the built command in a directory of its own, as a user would from a shell.
+// Runs the built command in a separate directory, as a user would from a shell.
 #pragma once
 
 #include <fcntl.h>
@@ -32,7 +32,7 @@ struct Ran {
 
 using Arguments = std::vector<std::string>;
 
-// The path of the built command, of the build that the program that asks belongs to.
+// The path of the command of the build to which this test program belongs.
 inline const std::string& command_of_this_build() {
   static const std::string path = [] {
     std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
@@ -67,7 +67,7 @@ class CommandLine : public ::testing::Test {
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   }
   [[nodiscard]] bool exists(const std::string& name) const { return std::filesystem::exists(path(name)); }
-  // Everything in the directory but what the helper itself puts there.
+  // Everything in the directory except the helper's own files.
   [[nodiscard]] std::vector<std::string> files() const {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(directory_)) {
@@ -78,7 +78,7 @@ class CommandLine : public ::testing::Test {
     return names;
   }
 
-  // `interrupt_after`: Ctrl-C after this time; zero: never.
+  // `interrupt_after`: sends Ctrl-C after this time; zero: never.
   Ran sightline(const Arguments& arguments, std::string_view input = "",
                 std::chrono::milliseconds interrupt_after = {}) {
     write(".stdin", input);
@@ -93,7 +93,7 @@ class CommandLine : public ::testing::Test {
     posix_spawn_file_actions_addopen(&actions, 0, ".stdin", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions, 1, stdout_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     posix_spawn_file_actions_addopen(&actions, 2, ".stderr", O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    // A shell starts tests in the background with Ctrl-C ignored, and the command would inherit that.
+    // A shell starts background tests with Ctrl-C ignored, and the command would inherit that.
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     sigset_t defaults;
@@ -116,7 +116,7 @@ class CommandLine : public ::testing::Test {
             stdout_ == ".stdout" ? read(stdout_) : "", read(".stderr")};
   }
 
-  // Starts it and kills it after this time.
+  // Starts the command and kills it after this time.
   void killed(const Arguments& arguments, std::chrono::microseconds after) const {
     const pid_t process = fork();
     if (process == 0) {
@@ -135,8 +135,9 @@ class CommandLine : public ::testing::Test {
     waitpid(process, nullptr, 0);
   }
 
-  // Ctrl-C for a command that ends in order then. On a loaded computer it takes long to begin, and dies of a Ctrl-C
-  // that comes before it listens: then it is started again and given more time.
+  // Sends Ctrl-C to a command that must then end in order. On a loaded computer the command may start slowly and die of a Ctrl-C
+  // before
+  // its handler is installed: then it is started again and given more time.
   Ran interrupted(const Arguments& arguments) {
     Ran ran;
     for (std::chrono::milliseconds after{300}; after < std::chrono::seconds(20); after *= 4) {

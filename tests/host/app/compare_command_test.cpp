@@ -1,4 +1,4 @@
-// `sightline compare`: tables, JSON, overlays, exit codes, and what a user gets wrong.
+// `sightline compare`: tables, JSON, overlays, exit codes, and usage errors.
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -18,7 +18,7 @@ using sightline::test::has;
 
 class CompareCommand : public sightline::test::CommandLine {};
 
-// The names of the algorithms that `choose` accepts, in the registry's order.
+// The names of the algorithms that `choose` selects, in the registry's order.
 template <class Algorithms, class Choose>
 std::vector<std::string> names(const Algorithms& algorithms, Choose choose) {
   std::vector<std::string> chosen;
@@ -48,7 +48,8 @@ TEST_F(CompareCommand, ComparesASceneOfCells) {
   EXPECT_EQ(points->image.width, 1024);
 }
 
-// One table for people and programs: all rows have the same true length, the machine a time of its own and the others none of theirs.
+// One table for people and programs: all rows have the same true length; only the machine has emulated time, only the others host
+// time.
 TEST_F(CompareCommand, HasOneTableOfAllMethods) {
   const auto ran = sightline({"compare", "house", "--no-host-times", "--json"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
@@ -65,7 +66,7 @@ TEST_F(CompareCommand, HasOneTableOfAllMethods) {
   EXPECT_GT(rows["jones-pdp7/lines"]["emulated_s"]["median"], 0.01);
   EXPECT_FALSE(rows["exact/lines"].contains("emulated_s"));
   EXPECT_EQ(rows["jones-pdp7/lines"]["paper"], "a few seconds, 1971");
-  // What the machine reads of the scene is what its twin reads.
+  // The machine and its twin read the same parts of the scene.
   EXPECT_EQ(rows["jones-pdp7/lines"]["read"], rows["jones-twin/lines"]["read"]);
   EXPECT_EQ(rows["jones-pdp7/lines"]["of_all"], 3);
   std::set<double> lengths;
@@ -77,10 +78,10 @@ TEST_F(CompareCommand, HasOneTableOfAllMethods) {
   ASSERT_EQ(chosen.size(), 2U);
   EXPECT_GT(chosen[1]["wrong"]["median"], 2 * rows["jones-twin/lines"]["wrong"]["median"].get<double>()) << "without fraction bits";
   EXPECT_EQ(chosen[1]["wrong"]["median"], chosen[0]["wrong"]["median"]) << "its words are the display's points";
-  EXPECT_GT(chosen[0]["emulated_s"]["median"], rows["jones-pdp7/lines"]["emulated_s"]["median"]) << "without the EAE";
+  EXPECT_GT(chosen[0]["emulated_s"]["median"], rows["jones-pdp7/lines"]["emulated_s"]["median"]) << "slower without the EAE";
 }
 
-// Random views are those of their seed, and the table of some is not that of others.
+// Random views depend on their seed, and tables of different views differ.
 TEST_F(CompareCommand, ComparesRandomViews) {
   const Arguments arguments{"compare", "house", "--views", "3", "--seed", "5", "--no-host-times", "--methods", "exact,jones-pdp7"};
   const auto ran = sightline(arguments);
@@ -101,7 +102,7 @@ TEST_F(CompareCommand, ComparesRandomViews) {
   EXPECT_EQ(table[0]["views"], 2);
 }
 
-// The coordinates of the file are multiples of 0.1, in which the scene counts.
+// The coordinates of the file are multiples of 0.1, which is the scene's step.
 TEST_F(CompareCommand, TheEyeIsInTheUnitOfTheFile) {
   write("t.off", "OFF\n4 4 0\n0 0 0\n1.5 0 0\n0 1.5 0\n0 0 1.5\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
   const auto ran = sightline({"compare", "t.off", "--eye", "4.5,3.5,2.25"});
@@ -124,7 +125,7 @@ TEST_F(CompareCommand, ComparesAFunctionAndPolyhedraAsJson) {
   EXPECT_EQ(document["scenes"][0]["function"], "sinc");
   EXPECT_EQ(document["scenes"][0]["pictures"][1]["different_inside"], 0);
   EXPECT_EQ(document["scenes"][0]["guest"]["identical_to_twin"], true);
-  // The guest's row is not 0 where its own rounding counts.
+  // The guest's row is not 0 if its own rounding counts.
   EXPECT_GT(document["scenes"][0]["pictures"][0]["unrounded"]["hausdorff_99_9"], 0.5);
   EXPECT_GT(document["scenes"][0]["chord_error"], 0.1);
   EXPECT_EQ(document["scenes"][0]["devices"].size(), 4U);
@@ -139,7 +140,7 @@ TEST_F(CompareCommand, ComparesAFunctionAndPolyhedraAsJson) {
   }
 }
 
-TEST_F(CompareCommand, ComparesAFunctionOfOnesOwn) {
+TEST_F(CompareCommand, ComparesAUserDefinedFunction) {
   const auto contours = sightline({"compare", "--function", "x*x - z*z", "--domain", "-2:2", "--points", "17",
                                    "--slices", "19", "--picture", "contours", "--levels", "6", "--json"});
   ASSERT_EQ(contours.exit_code, 0) << contours.err;
@@ -204,8 +205,8 @@ TEST_F(CompareCommand, ComparesFacesByPoints) {
   for (const auto& faces : turned["faces"]) EXPECT_EQ(faces["different_inside"], 0) << faces;
 }
 
-// Nothing of this ends the command: what applies to a scene is compared, and of the others the reason is said.
-TEST_F(CompareCommand, LeavesOutMethodsThatDoNotApply) {
+// None of this ends the command: applicable methods are compared, and a reason is given for each of the others.
+TEST_F(CompareCommand, OmitsMethodsThatDoNotApply) {
   const Arguments arguments{"compare", "sinc", "house", "boxes-2", "--methods", "jones,willis", "--no-host-times"};
   const auto ran = sightline(arguments);
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
@@ -218,7 +219,7 @@ TEST_F(CompareCommand, LeavesOutMethodsThatDoNotApply) {
   EXPECT_TRUE(has(none.err, "sinc: jones does not apply: ")) << none.err;
 }
 
-TEST_F(CompareCommand, NamesWhatIsWrong) {
+TEST_F(CompareCommand, NamesTheErrors) {
   struct Case {
     sightline::test::Arguments arguments;
     int exit_code;
@@ -262,7 +263,7 @@ TEST_F(CompareCommand, NamesWhatIsWrong) {
   EXPECT_EQ(files(), (std::vector<std::string>{"bad.off", "square.csv"}));
 }
 
-TEST_F(CompareCommand, ScenesOfOneNameHaveOverlaysOfTheirOwn) {
+TEST_F(CompareCommand, ScenesWithOneNameHaveSeparateOverlays) {
   NEEDS_OPTIMISED_CODE();
   std::filesystem::create_directory(path("d1"));
   std::filesystem::create_directory(path("d2"));

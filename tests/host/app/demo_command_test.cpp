@@ -1,4 +1,4 @@
-// `sightline demo`: both machines on everything they come with, in ten lines, as a page and as JSON. Each run takes seconds.
+// `sightline demo`: both machines on all built-in scenes, in ten lines, as a page and as JSON. Each run takes seconds.
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -36,8 +36,8 @@ TEST_F(DemoCommand, PrintsTenLinesAndWritesThePageWithItsPictures) {
         "CalComp 565", "This computer, exact lines: ", "pictures/index.html"})
     EXPECT_TRUE(has(ran.out, text)) << text << '\n' << ran.out;
   const std::string page = read("pictures/index.html");
-  // What the line on the paper's 15 % says of two functions is what their rows say: T-states added to a point, of those
-  // of the point.
+  // The line on the paper's 15 % must agree with the rows of its two functions: T-states added per point, relative to T-states
+  // per point.
   struct {
     double added = 0, point = 0;
     char function[32] = "";
@@ -56,7 +56,7 @@ TEST_F(DemoCommand, PrintsTenLinesAndWritesThePageWithItsPictures) {
     ASSERT_EQ(std::sscanf(page.c_str() + row, " %*s %*f %lf %%", &percent), 1);
     EXPECT_NEAR(said.added / said.point, percent / 100, 0.015) << said.function;
   }
-  // The page has everything it names, and names every picture but the drawings for other programs.
+  // The page's links all exist, and the page shows every picture except the drawings for other programs.
   std::set<std::string> named;
   for (const std::string& name : named_in(page, "src")) named.insert(name);
   for (const std::string& name : named_in(page, "href")) EXPECT_TRUE(named.contains(name)) << name;
@@ -107,7 +107,7 @@ TEST_F(DemoCommand, AsJsonInAFolderOfAnyName) {
   EXPECT_GT(document.at("skala_plot").at("seconds").get<double>(), 10.0);
   EXPECT_EQ(document.at("compared").at("agrees"), true);
   EXPECT_EQ(document.at("compared").at("scenes").size(), 5U + 2U + 8U);
-  // The table has every method of the five papers, and times of both kinds.
+  // The table has all methods of the five papers, and both host and emulated times.
   std::set<std::string> methods;
   for (const json& row : document.at("table")) {
     methods.insert(row.at("method").get<std::string>());
@@ -120,7 +120,7 @@ TEST_F(DemoCommand, AsJsonInAFolderOfAnyName) {
   std::set<std::string> computers;
   for (const json& point : document.at("plot")) computers.insert(point.at("computer").get<std::string>());
   EXPECT_EQ(computers, (std::set<std::string>{"emulated", "this"}));
-  // Of two lines no picture is judged.
+  // Two lines have no judged picture.
   std::size_t judged = 0;
   for (const json& verdict : document.at("verdicts")) {
     judged += !verdict.at("right").is_null();
@@ -128,7 +128,7 @@ TEST_F(DemoCommand, AsJsonInAFolderOfAnyName) {
     EXPECT_LE(verdict.at("text").get<std::string>().size() + verdict.at("verdict").get<std::string>().size(), 160U) << verdict;
   }
   EXPECT_EQ(judged, document.at("verdicts").size() - 2);
-  // How far a function is from the lines between its samples is known of every function.
+  // Every function has a distance from the lines between its samples.
   for (const json& row : document.at("table"))
     EXPECT_EQ(row.contains("chord"), row.at("method").get<std::string>().starts_with("skala")) << row;
   EXPECT_EQ(document.at("page"), "f\xEF\xBF\xBD/index.html");

@@ -1,4 +1,4 @@
-// `sightline disasm`: what comes out assembles to the same words; damaged files are named with their place.
+// `sightline disasm`: its output assembles to the same words; errors name the position in damaged files.
 #include "tests/host/app/command_line.hpp"
 
 namespace {
@@ -36,7 +36,7 @@ TEST_F(DisasmCommand, TheDialectOfBell) {
   EXPECT_EQ(sightline({"disasm", "pdp7", "a.oct", "--dialect", "mac"}).exit_code, 2);
 }
 
-// Hole 7 of the last word one line early, in a RIM tape and in an HRI tape: 5 at 100, start 100.
+// Hole 7 of the last word is one line early, in a RIM tape and in an HRI tape: 5 at 100, start 100.
 TEST_F(DisasmCommand, EarlyHole7IsReadWithAWarning) {
   write("early.rim", std::string("\0\0\x84\x81\x80\x80\x80\x85\xB0\xC1\x80\0", 12));
   write("early.hri", std::string("\0\x80\x80\x85\xB0\xC1\x80\0", 8));
@@ -57,7 +57,7 @@ TEST_F(DisasmCommand, APartOfAProgram) {
   EXPECT_FALSE(has(part, "lac 105") || has(part, "jmp 100")) << part;
   EXPECT_EQ(sightline({"disasm", "pdp7", "a.oct", "--start", "0", "--end", "77777"}).out,
             sightline({"disasm", "pdp7", "a.oct"}).out);
-  // 1000: CALL with its operand's bytes read as code if they come first.
+  // 1000: a CALL whose operand bytes are read as code if decoding starts in them.
   write("rom.bin", "\xCD\x3E\x05\x76");
   EXPECT_TRUE(has(sightline({"disasm", "i8080", "rom.bin@1000"}).out, "CALL    053EH"));
   EXPECT_TRUE(has(sightline({"disasm", "i8080", "rom.bin@1000", "--start", "1001"}).out, "MVI     A,05H"));

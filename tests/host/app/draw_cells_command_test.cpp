@@ -1,5 +1,6 @@
-// `sightline draw exact` and `draw oracle` of a scene of cells: from inside, the lines that the oracle of cells finds visible, read back
-// from the drawing; from outside, the solids and walls as before, and one line that says so.
+// `sightline draw exact` and `draw oracle` of a scene of cells. From inside: the lines that the oracle of cells finds visible,
+// read
+// back from the drawing. From outside: the solids and walls, and one line that says so.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,7 +29,7 @@ class DrawCells : public sightline::test::CommandLine {
 
 constexpr const char* left_out = "the outer box is left out: ";
 
-// In 90 degrees on 180 mm of paper, as the drawing has them.
+// A field of view of 90 degrees on 180 mm of paper, as in the drawing.
 std::vector<DrawnSegment> visible(const CellScene& scene, const sightline::geometry::Point& eye) {
   oracle::Window window;
   window.points = {sightline::geometry::Span{0, 1024}, sightline::geometry::Span{0, 1024}};
@@ -40,7 +41,7 @@ std::vector<DrawnSegment> visible(const CellScene& scene, const sightline::geome
   return segments;
 }
 
-// The greatest distance of a point of `lines`, one in each millimetre, from all of `others`.
+// The largest distance of a point of `lines`, sampled every millimetre, from all of `others`.
 double farthest(const std::vector<DrawnSegment>& lines, const std::vector<DrawnSegment>& others) {
   double greatest = 0;
   for (const auto& [x0, y0, x1, y1] : lines) {
@@ -65,7 +66,7 @@ TEST_F(DrawCells, FromInsideAreTheVisibleLinesOfTheirMatter) {
   std::vector<Case> cases;
   for (const char* const name : {"house", "roberts", "street4", "corridor8"})
     cases.push_back({name, {}, sightline::scene::builtin_scene(name).default_view});
-  // Behind the partition, whose other side it does not touch.
+  // Behind the partition, away from its other side.
   cases.push_back({"house", {"--eye", "100,100,420"}, {100, 100, 420}});
   for (const Case& each : cases) {
     const auto truth = visible(sightline::scene::builtin_scene(each.scene), each.eye);
@@ -83,7 +84,7 @@ TEST_F(DrawCells, FromInsideAreTheVisibleLinesOfTheirMatter) {
   }
 }
 
-TEST_F(DrawCells, FromOutsideAreTheirSolidsAndWallsAndOneLineSaysSo) {
+TEST_F(DrawCells, FromOutsideShowSolidsAndWallsWithAMessage) {
   struct Case {
     std::vector<std::string> options;
     const char* reason;
@@ -96,7 +97,7 @@ TEST_F(DrawCells, FromOutsideAreTheirSolidsAndWallsAndOneLineSaysSo) {
     const auto ran = sightline(words);
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_EQ(ran.err, std::string("sightline: warning: house: ") + left_out + each.reason + "\n");
-    // Of Jones's native method, which has the edges of solids and walls always, without a word.
+    // Jones's native method always draws the edges of solids and walls, without a message.
     words[1] = "jones";
     words[4] = "j.svg";
     const auto jones = sightline(words);
@@ -106,7 +107,7 @@ TEST_F(DrawCells, FromOutsideAreTheirSolidsAndWallsAndOneLineSaysSo) {
   }
 }
 
-TEST_F(DrawCells, OfATurnAreAllFromInsideOrAllWithoutTheBox) {
+TEST_F(DrawCells, ViewsOfATurnAreAllFromInsideOrAllWithoutTheBox) {
   const auto outside = sightline({"draw", "exact", "house", "--turntable", "4", "-o", "t.svg"});
   ASSERT_EQ(outside.exit_code, 0) << outside.err;
   EXPECT_TRUE(has(outside.err, left_out));

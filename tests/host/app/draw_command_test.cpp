@@ -1,4 +1,4 @@
-// `sightline draw`: files of every kind, and what a user gets wrong.
+// `sightline draw`: files of every kind, and usage errors.
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ class DrawCommand : public sightline::test::CommandLine {
     EXPECT_TRUE(has(ran.err, what)) << ran.err;
     EXPECT_TRUE(files().empty());
   }
-  // Beside files that exist.
+  // The same if files exist: they must be unchanged.
   void expect_usage_error_beside(const sightline::test::Arguments& arguments, std::string_view what) {
     const auto before = files();
     const auto ran = sightline(arguments);
@@ -31,7 +31,7 @@ class DrawCommand : public sightline::test::CommandLine {
     EXPECT_TRUE(has(ran.err, what)) << ran.err;
     EXPECT_EQ(files(), before);
   }
-  // Left, top, right and bottom of all lines of an SVG, in mm: "M x y", then distances, of which one with a sign needs no blank.
+  // Left, top, right and bottom of all lines of an SVG, in mm: "M x y", then relative coordinates; a signed one needs no blank.
   static std::array<double, 4> box_of(const std::string& svg) {
     std::array<double, 4> box{1e9, 1e9, -1e9, -1e9};
     for (std::size_t at = svg.find(" d=\"M"); at != std::string::npos; at = svg.find(" d=\"M", at + 1)) {
@@ -101,7 +101,7 @@ TEST_F(DrawCommand, AGridFileWithAHole) {
   EXPECT_FALSE(exists("bad.svg"));
 }
 
-// Proportions are those of the box unless it is stretched; both are said.
+// Proportions are those of the box unless it is stretched; the output states which.
 TEST_F(DrawCommand, ProportionsOfASurface) {
   const auto drawn = [&](std::vector<std::string> more) {
     std::vector<std::string> arguments{"draw", "skala", "--function", "x+y", "--x-range", "0:4", "--y-range", "0:1", "--elevate", "90", "--rotate", "0",
@@ -112,7 +112,7 @@ TEST_F(DrawCommand, ProportionsOfASurface) {
     const auto json = nlohmann::json::parse(ran.out);
     return std::pair{json["aspect"], box_of(read("s.svg"))};
   };
-  // From above, on 100 by 40 mm of paper: the box is a square, four times as long as deep, or what the paper is.
+  // From above, on 100 by 40 mm of paper: the box is a square, four times as long as deep, or as the paper.
   const auto [free, square] = drawn({});
   EXPECT_EQ(free["name"], "free");
   EXPECT_EQ(free["stretched"], false);
@@ -133,7 +133,7 @@ TEST_F(DrawCommand, ProportionsOfASurface) {
   expect_usage_error_beside({"draw", "skala", "sinc", "-o", "t.svg", "--aspect", "1:2"}, "--aspect");
 }
 
-// Round heights by default; layers by kind, with names that say what they are.
+// Round heights by default; layers by kind, with descriptive names.
 TEST_F(DrawCommand, AFigureInLayers) {
   const auto ran = sightline({"draw", "skala", "peaks", "--picture", "contours", "--labels", "--floor", "--axes", "--title", "Three hills", "--colours",
                               "heights", "--size", "A4", "--json", "-o", "f.svg"});
@@ -153,7 +153,7 @@ TEST_F(DrawCommand, AFigureInLayers) {
   expect_usage_error_beside({"draw", "skala", "t.csv", "--layout", "table", "--xyz", "1,2,3", "-o", "t.svg"}, "--xyz: found with --layout table");
 }
 
-// Eight layers at most for eight pens: rims, silhouette, contours, floor, axes and text have their own.
+// At most eight layers for eight pens: rims, silhouette, contours, floor, axes and text are separate.
 TEST_F(DrawCommand, AFigureForAPlotter) {
   ASSERT_EQ(sightline({"draw", "skala", "peaks", "--picture", "contours", "--labels", "--floor", "--axes", "--size", "A4", "--device", "hp7550a", "-o", "f.plt"}).exit_code, 0);
   const std::string text = read("f.plt");
@@ -168,7 +168,7 @@ TEST_F(DrawCommand, AFigureForAPlotter) {
   EXPECT_TRUE(has(read("f.dxf"), "-TEXT\n"));
 }
 
-// Surfaces that hide each other are over the same places, and have one scale of heights.
+// Surfaces that hide each other have a common domain and a common scale of heights.
 TEST_F(DrawCommand, SeveralSurfaces) {
   write("low.csv", "x,y,height\n0,0,1\n0,1,1\n1,0,1\n1,1,1\n");
   write("high.csv", "place,0,1\n0,2,2\n1,2,\n");
@@ -196,20 +196,20 @@ TEST_F(DrawCommand, ASceneByEveryAlgorithm) {
   EXPECT_FALSE(has(read("exact.svg"), "hidden"));
 }
 
-TEST_F(DrawCommand, HiddenLinesAreALayerAndAPenOfTheirOwn) {
+TEST_F(DrawCommand, HiddenLinesHaveASeparateLayerAndPen) {
   ASSERT_EQ(sightline({"draw", "exact", "house", "--hidden", "-o", "h.svg"}).exit_code, 0);
   EXPECT_TRUE(has(read("h.svg"), "inkscape:label=\"2 hidden\""));
   ASSERT_EQ(sightline({"draw", "exact", "house", "--hidden", "-o", "h.plt"}).exit_code, 0);
   EXPECT_TRUE(has(read("h.plt"), "SP2;"));
 }
 
-TEST_F(DrawCommand, SeamsAreDrawnWhenAskedFor) {
+TEST_F(DrawCommand, SeamsAreDrawnOnRequest) {
   ASSERT_EQ(sightline({"draw", "exact", "touch-2", "-o", "t.svg"}).exit_code, 0);
   ASSERT_EQ(sightline({"draw", "exact", "touch-2", "--all-edges", "-o", "all.svg"}).exit_code, 0);
   EXPECT_LT(read("t.svg").size(), read("all.svg").size());
 }
 
-TEST_F(DrawCommand, CamerasThatSayTheSame) {
+TEST_F(DrawCommand, EquivalentCameras) {
   ASSERT_EQ(
       sightline({"draw", "exact", "boxes-5", "--eye", "9000,9000,9000", "--look-at", "0,0,0", "-o", "a.svg"})
           .exit_code,
@@ -275,7 +275,7 @@ TEST_F(DrawCommand, WrongUsage) {
   expect_usage_error({"draw", "skala", "-o", "s.svg"}, "no function");
 }
 
-// What an option cannot do for this picture is not passed over in silence.
+// An option that does not apply to this picture is reported.
 TEST_F(DrawCommand, OptionsOfOtherPictures) {
   expect_usage_error({"draw", "exact", "boxes-2", "-o", "s.svg", "--pixels", "90x70"},
                      "--pixels: found without");
@@ -315,7 +315,7 @@ TEST_F(DrawCommand, AnEmptyDrawingIsWarnedAbout) {
   EXPECT_EQ(sightline({"draw", "exact", "boxes-2", "-o", "b.svg"}).err, "");
 }
 
-// In the middle of long work: nothing is left behind, and what was there before is there still.
+// Interrupted during long work: no new files remain, and existing files are unchanged.
 TEST_F(DrawCommand, CtrlCLeavesEverythingAsItWas) {
   const int nameless = open(path(".").c_str(), O_TMPFILE | O_WRONLY, 0600);
   if (nameless < 0) GTEST_SKIP() << "this file system has no files without a name";
@@ -336,10 +336,10 @@ TEST_F(DrawCommand, CtrlCLeavesEverythingAsItWas) {
             std::filesystem::status(path("plain")).permissions());
 }
 
-TEST_F(DrawCommand, APlaceThatCannotBeWritten) {
+TEST_F(DrawCommand, AFileThatCannotBeWritten) {
   EXPECT_EQ(sightline({"draw", "skala", "sinc", "-o", "nowhere/s.svg"}).exit_code, 5);
   EXPECT_EQ(sightline({"draw", "skala", "missing.csv", "-o", "s.svg"}).exit_code, 5);
-  // Known before the work: this oracle would take hours.
+  // Reported before the work: this oracle would take hours.
   EXPECT_EQ(sightline({"draw", "oracle", "boxes-20000", "-o", "nowhere/s.svg"}).exit_code, 5);
 }
 

@@ -28,7 +28,7 @@ constexpr std::string_view box_and_bar = R"({"name":"two","step":1,"vertices":[
 
 class DrawMesh : public sightline::test::CommandLine {
  protected:
-  // The line of the exit code and the errors of a call that must work.
+  // Checks the exit code and the empty errors of a call that must succeed.
   void expect_ok(const sightline::test::Arguments& arguments) {
     const auto ran = sightline(arguments);
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
@@ -58,8 +58,9 @@ constexpr std::string_view box_and_line =
     "v 0 0 0\nv 10 0 0\nv 10 6 0\nv 0 6 0\nv 0 0 4\nv 10 0 4\nv 10 6 4\nv 0 6 4\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\n"
     "f 3 4 8 7\nf 4 1 5 8\nv -5 3 2\nv 15 3 2\nl 9 10\n";
 
-// In an isometric view it is seen before x = -2 and after x = 10 (tests/host/algorithms/exact/wires_test.cpp): so many parts
-// of the 20 units from the left border of the drawing, at 10 mm, to the right one, at 190.
+// In an isometric view it is visible before x = -2 and after x = 10 (tests/host/algorithms/exact/wires_test.cpp): the same parts
+// of the
+// 20 units from the left border of the drawing, at 10 mm, to the right one, at 190.
 TEST_F(DrawMesh, LinesWithoutFacesAreHiddenByFaces) {
   write("f.obj", box_and_line);
   for (const char* method : {"exact", "oracle"}) {
@@ -80,7 +81,7 @@ TEST_F(DrawMesh, LinesWithoutFacesAreHiddenByFaces) {
   EXPECT_FALSE(has(read("c.svg"), " wire\""));
 }
 
-TEST_F(DrawMesh, LinesWithoutFacesAreLeftOutByTheOtherMethods) {
+TEST_F(DrawMesh, LinesWithoutFacesAreOmittedByTheOtherMethods) {
   write("f.obj", box_and_line);
   const std::string warning = "sightline: warning: f.obj: 1 line without faces left out; `sightline draw exact` draws it\n";
   for (const char* method : {"jones", "montani-re", "plantinga"}) {
@@ -115,7 +116,7 @@ TEST_F(DrawMesh, AFileOfLinesAlone) {
 }
 
 // No two faces of the sphere bend by 30 degrees, and its silhouette from (1, 1, 1) has 40 of 792 edges.
-TEST_F(DrawMesh, ColoursOfFacesAreBordersWhereAskedFor) {
+TEST_F(DrawMesh, BordersBetweenColoursAreDrawnOnRequest) {
   const std::string sphere = SIGHTLINE_TEST_DATA "/meshes/ply-face-colours.ply";
   const auto edges_of = [&](const std::string& file, const sightline::test::Arguments& more) {
     sightline::test::Arguments words{"draw", "exact", file, "--view", "iso", "--json", "-o", "s.svg"};
@@ -132,7 +133,7 @@ TEST_F(DrawMesh, ColoursOfFacesAreBordersWhereAskedFor) {
   expect_ok({"scene", "convert", sphere, "-o", "s.json"});
   EXPECT_EQ(edges_of("s.json", {}), 40);
   EXPECT_EQ(edges_of("s.json", {"--edges", "silhouette,border"}), 792);
-  // A material of OBJ is a part's, and its border is drawn.
+  // A material in OBJ belongs to a part, and its border is drawn.
   write("m.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nusemtl a\nf 1 2 3\nusemtl b\nf 1 3 4\n");
   EXPECT_EQ(edges_of("m.obj", {}), 5);
 }
@@ -149,12 +150,12 @@ TEST_F(DrawMesh, ALayerForEachBody) {
   expect_ok({"draw", "exact", "two.json", "--layers", "body", "-o", "b.plt"});
   EXPECT_TRUE(has(read("b.plt"), "SP1;"));
   EXPECT_TRUE(has(read("b.plt"), "SP2;"));
-  // All kinds of scenes, with all edges, too.
+  // For all kinds of scenes, with all edges, too.
   expect_ok({"draw", "exact", "house", "--layers", "body", "--all-edges", "-o", "h.svg"});
 }
 
-// The name of a body is not what tells layers apart: bodies of one name, or one that is called as the layer of hidden lines.
-TEST_F(DrawMesh, BodiesOfOneNameAreLayersOfTheirOwn) {
+// Layers are not identified by names of bodies: bodies may share a name, or be named like the layer of hidden lines.
+TEST_F(DrawMesh, BodiesWithOneNameHaveSeparateLayers) {
   std::string text(box_and_bar);
   for (const std::string_view name : {"\"name\":\"box\"", "\"name\":\"bar\""}) text.replace(text.find(name), name.size(), "\"name\":\"hidden\"");
   write("two.json", text);
@@ -182,7 +183,7 @@ TEST_F(DrawMesh, TheListOfStrokesChangesNoDrawing) {
 }
 
 // A cube of 180 mm on the paper, from the front, with a line every 10 mm: the first and the last of 19 would lie on its edges.
-TEST_F(DrawMesh, HatchingThatLiesOnAnEdgeIsLeftOut) {
+TEST_F(DrawMesh, HatchingOnAnEdgeIsOmitted) {
   write("cube.obj",
         "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nv 0 0 9\nv 9 0 9\nv 9 9 9\nv 0 9 9\n"
         "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
@@ -196,7 +197,7 @@ TEST_F(DrawMesh, HatchingThatLiesOnAnEdgeIsLeftOut) {
   }
 }
 
-TEST_F(DrawMesh, HatchingIsLayersOfItsOwn) {
+TEST_F(DrawMesh, HatchingHasSeparateLayers) {
   write("two.json", box_and_bar);
   expect_ok({"draw", "exact", "two.json", "-o", "plain.svg"});
   const auto ran = sightline({"draw", "exact", "two.json", "--hatch", "30,2", "--light", "1,3,0.5", "--json", "-o", "h.svg"});
@@ -204,7 +205,7 @@ TEST_F(DrawMesh, HatchingIsLayersOfItsOwn) {
   EXPECT_TRUE(has(ran.out, "\"hatching\"")) << ran.out;
   const std::string svg = read("h.svg");
   EXPECT_TRUE(has(svg, "inkscape:label=\"3 hatching\""));
-  // The edges are those of the drawing without it.
+  // The edges are those of the drawing without hatching.
   const std::string plain = read("plain.svg");
   const std::size_t begin = plain.find("<g id=\"layer-1\"");
   const std::size_t end = plain.find("</svg>");
@@ -213,7 +214,7 @@ TEST_F(DrawMesh, HatchingIsLayersOfItsOwn) {
   EXPECT_EQ(svg, read("o.svg"));
 }
 
-TEST_F(DrawMesh, HatchingThatCannotBe) {
+TEST_F(DrawMesh, ImpossibleHatching) {
   for (const auto& [hatch, light, what] : std::vector<std::array<std::string, 3>>{{"45", "1,1,1", "ANGLE,SPACING"},
                                                                                   {"45,0", "1,1,1", "a spacing from"},
                                                                                   {"nan,1", "1,1,1", "ANGLE,SPACING"},
@@ -227,7 +228,7 @@ TEST_F(DrawMesh, HatchingThatCannotBe) {
   EXPECT_NE(sightline({"draw", "jones", "boxes-3", "--hatch", "45,1", "-o", "x.svg"}).exit_code, 0);
 }
 
-// The step file, sent by the host to a program on the emulated machine, which gives it to the emulated plotter.
+// The host sends the step file to a program on the emulated machine, which passes it to the emulated plotter.
 TEST_F(DrawMesh, AStepFileIsDrawnByTheEmulatedCalComp) {
   write("two.json", box_and_bar);
   const std::string player = std::string(SIGHTLINE_SOURCE_DIR) + "/host/examples/boards/player.asm";
@@ -264,7 +265,7 @@ TEST_F(DrawMesh, AStepFileIsDrawnByTheEmulatedCalComp) {
     char comma = 0;
     while (numbers >> x >> comma >> y) {
       numbers >> comma;
-      // The paper of 200 mm lies in the middle of a carriage of 279.4 mm.
+      // The paper of 200 mm is in the middle of a carriage of 279.4 mm.
       const long column = std::lround(x / 40 / 0.254);
       const long row = std::lround((y / 40 + 39.7) / 0.254);
       bool near = false;
@@ -281,7 +282,8 @@ TEST_F(DrawMesh, AStepFileIsDrawnByTheEmulatedCalComp) {
 constexpr std::string_view box = "v 0 0 0\nv 10 0 0\nv 10 6 0\nv 0 6 0\nv 0 0 4\nv 10 0 4\nv 10 6 4\nv 0 6 4\n"
                                  "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
-// The bounds of what a step file draws, in steps: the codes 0 to 7 are the directions clockwise from +y, 8 and 9 lift and lower.
+// The bounds of a step file's drawing, in steps: codes 0 to 7 are the directions clockwise from +y, 8 and 9 lift and lower the
+// pen.
 std::array<long, 4> bounds_of_steps(const std::string& file) {
   std::array<long, 4> bounds{1 << 20, 1 << 20, -1, -1};
   long x = 0;
@@ -301,7 +303,7 @@ std::array<long, 4> bounds_of_steps(const std::string& file) {
   return bounds;
 }
 
-// 2:1 makes 20 x 12 mm of it, in the middle of the paper: 800 x 480 units of HP-GL around its middle.
+// At 2:1 it is 20 x 12 mm, in the middle of the paper: 800 x 480 units of HP-GL around its middle.
 TEST_F(DrawMesh, AScaleIsTheSameOnEveryDevice) {
   write("box.obj", box);
   const auto drawn = [&](std::vector<std::string> more, const std::string& file) {
@@ -329,7 +331,7 @@ TEST_F(DrawMesh, AScaleIsTheSameOnEveryDevice) {
   // 279.4 mm are 1100 steps of 0.254 mm: 550 -+ 39.4 and -+ 23.6.
   EXPECT_EQ(bounds_of_steps(drawn({"--device", "calcomp"}, "a.steps")), (std::array<long, 4>{511, 526, 589, 574}));
   EXPECT_EQ(sightline({"draw", "exact", "box.obj", "--view", "front", "--scale", "2:1", "-o", "a.png"}).exit_code, 2);
-  // Ten pixels to a millimetre: 200 x 120 pixels around the middle of 2970 x 2100, with lines two pixels wide.
+  // Ten pixels per millimetre: 200 x 120 pixels around the middle of 2970 x 2100, with lines two pixels wide.
   drawn({"--size", "A4", "--landscape", "--dpi", "254"}, "a.png");
   const auto png = sightline::picture::read_png(path("a.png").string());
   ASSERT_TRUE(png);
@@ -375,7 +377,7 @@ TEST_F(DrawMesh, AScaleCountsTheUnitOfTheFile) {
   EXPECT_EQ(width("cm", "1:2.5"), 1'600);    // 40 mm
   EXPECT_EQ(width("ft", "1:10"), 12'192);    // 304.8 mm
   EXPECT_EQ(width("cm", "2:1"), 8'000);
-  // Coordinates of a file with fractions are counted in steps of 0.1.
+  // Coordinates of a file with fractions are in steps of 0.1.
   write("half.obj", "v 0.5 0.5 0\nv 20.5 0.5 0\nv 20.5 40.5 0\nf 1 2 3\n");
   expect_ok({"draw", "exact", "half.obj", "--view", "front", "--scale", "1:1", "-o", "half.svg"});
   EXPECT_TRUE(has(read("half.svg"), "M90 120l20 0 0-40-20 40")) << read("half.svg");
@@ -393,7 +395,7 @@ TEST_F(DrawMesh, AScaleThatDoesNotFitNamesThePaper) {
   refused({"--scale", "30:1", "-o", "x.svg"},
           "found a drawing of 300.0x180.0 mm on paper with room for 180.0x180.0, expected a paper of at least 320x200 mm with its margins, "
           "such as --size A3 --landscape");
-  // 276 x 193.025 mm is what the plotter can draw on A4: 27.6:1 fits exactly, whatever the margin.
+  // The plotter can draw on 276 x 193.025 mm of A4: 27.6:1 fits exactly, with any margin.
   refused({"--scale", "27.7:1", "--device", "hp7475a", "-o", "x.plt"}, "such as --size A3 --landscape");
   refused({"--scale", "50:1", "--device", "hp7475a", "-o", "x.plt"}, "expected a smaller scale");
   refused({"--scale", "27.6:1", "--device", "hp7475a", "--margin", "12", "-o", "x.plt"}, "room for 273.0x186.0");
@@ -401,7 +403,7 @@ TEST_F(DrawMesh, AScaleThatDoesNotFitNamesThePaper) {
   refused({"--scale", "2", "-o", "x.svg"}, "expected N:M");
   refused({"--scale", "0:1", "-o", "x.svg"}, "expected N:M");
   refused({"--scale", "2:1", "--perspective", "-o", "x.svg"}, "which has no scale");
-  // 170 mm from the front, 17 (10 cos 22.5 + 4 sin 22.5) = 183.1 mm in the next view; neither is written.
+  // 170 mm from the front, 17 (10 cos 22.5 + 4 sin 22.5) = 183.1 mm in the next view; neither file is written.
   refused({"--scale", "17:1", "--turntable", "16", "-o", "x.svg"}, "found a drawing of 183.1x102.0 mm");
   EXPECT_TRUE(files() == std::vector<std::string>{"box.obj"});
   expect_ok({"draw", "exact", "box.obj", "--view", "front", "--scale", "27.6:1", "--device", "hp7475a", "-o", "a.plt"});
@@ -469,7 +471,7 @@ TEST_F(DrawMesh, TheFieldIsInTheUnitOfTheFile) {
   EXPECT_TRUE(has(read("a.plt"), "PD5400,3661,5400,4061,5640,4061,5640,3661;")) << read("a.plt");
 }
 
-// 60 mm of paper with 20 units on the 40 mm inside its margins, at ten pixels to a millimetre.
+// 60 mm of paper with 20 units on the 40 mm inside its margins, at ten pixels per millimetre.
 TEST_F(DrawMesh, AFilledSheetHasItsMarginsAndItsScale) {
   write("box.obj", box);
   expect_ok({"draw", "montani-re", "box.obj", "--view", "front", "--field", "20", "--fill", "--size", "60x60", "--dpi", "254", "-o", "f.png"});
@@ -494,7 +496,7 @@ TEST_F(DrawMesh, AFilledSheetHasItsMarginsAndItsScale) {
   }
 }
 
-TEST_F(DrawMesh, UpThatIsUpAnywayChangesNothing) {
+TEST_F(DrawMesh, TheDefaultUpDirectionChangesNothing) {
   write("box.obj", box);
   for (const char* view : {"iso", "dimetric", "trimetric", "NW", "front"}) {
     expect_ok({"draw", "exact", "box.obj", "--view", view, "-o", "a.svg"});
@@ -506,7 +508,7 @@ TEST_F(DrawMesh, UpThatIsUpAnywayChangesNothing) {
   EXPECT_EQ(read("a.svg"), read("b.svg"));
 }
 
-TEST_F(DrawMesh, AnotherUpLeavesTheDirectionOfAView) {
+TEST_F(DrawMesh, AnotherUpDirectionKeepsTheViewingDirection) {
   write("box.obj", box);
   for (const char* view : {"iso", "dimetric", "trimetric", "NW"}) {
     const auto forward = [&](std::vector<std::string> more) {
@@ -522,7 +524,7 @@ TEST_F(DrawMesh, AnotherUpLeavesTheDirectionOfAView) {
   }
 }
 
-TEST_F(DrawMesh, EachLayerHasItsPenAndSharingIsSaid) {
+TEST_F(DrawMesh, EachLayerHasAPenAndSharingIsReported) {
   write("box.obj", box);
   const auto drawn = [&](std::vector<std::string> more, const std::string& file) {
     std::vector<std::string> all{"draw", "exact", "box.obj", "--view", "iso", "--hidden", "-o", file};
@@ -564,8 +566,8 @@ TEST_F(DrawMesh, LimitsOfTheCalComp) {
   expect_ok({"draw", "skala", "sinc", "--device", "calcomp", "--format", "steps", "-o", "y.bin"});
 }
 
-// A sheet of 231,200 triangles: a minute and more, for which one has to ask.
-TEST_F(DrawMesh, WhatTakesMinutesIsRefused) {
+// A sheet of 231,200 triangles takes more than a minute, which needs an explicit option.
+TEST_F(DrawMesh, MinutesOfWorkNeedAnOption) {
   NEEDS_OPTIMISED_CODE();
   std::string bytes(80, ' ');
   const auto put = [&bytes](const auto& number) { bytes.append(reinterpret_cast<const char*>(&number), sizeof number); };
@@ -591,7 +593,8 @@ TEST_F(DrawMesh, TheUnitOfAFile) {
   EXPECT_FALSE(has(sightline({"scene", "info", "a.off"}).out, "unit"));
   const auto ran = sightline({"scene", "info", "a.off", "--unit", "mm"});
   EXPECT_TRUE(has(ran.out, "unit           mm")) << ran.out;
-  // Nothing is rounded. Of the other file's three numbers the largest, 12345.678, is farthest from a multiple of an eighth: 0.053.
+  // Nothing is rounded. Of the other file's three numbers the largest, 12345.678, is farthest from a multiple of an eighth:
+  // 0.053.
   EXPECT_EQ(ran.err, "");
   write("rounded.off", "OFF\n4 4 0\n0 0 0\n1.25 0 0\n0 1.25 0\n0 0 12345.678\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
   const auto rounded = sightline({"scene", "info", "rounded.off", "--unit", "mm"});

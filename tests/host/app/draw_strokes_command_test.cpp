@@ -1,5 +1,6 @@
-// `sightline draw` as a person with a pen sees it: every outer edge is in the file, each stretch of paper is drawn once, no dash lies
-// on a line, and --strokes lists what is drawn. Expectations are worked out by hand from the meshes in tests/data/drawing.
+// `sightline draw` checked at the level of pen strokes: every outer edge is in the file, each stretch of paper is drawn once, no
+// dash
+// overlaps a line, and --strokes lists what is drawn. Expectations are computed by hand from the meshes in tests/data/drawing.
 #include <cmath>
 #include <sstream>
 #include <tuple>
@@ -19,7 +20,7 @@ const std::string drawing_data = SIGHTLINE_TEST_DATA "/drawing/";
 
 class DrawStrokes : public sightline::test::CommandLine {
  protected:
-  // Draws into `file`, and reads the strokes.
+  // Draws into `file`, and returns the strokes.
   std::vector<json> strokes(const std::string& mesh, const Arguments& options, const std::string& file = "a.svg") {
     Arguments words{"draw", "exact", drawing_data + mesh, "--strokes", "s.jsonl", "-o", file};
     words.insert(words.end(), options.begin(), options.end());
@@ -42,7 +43,7 @@ std::vector<DrawnSegment> segments_of(const std::vector<json>& strokes) {
   return segments;
 }
 
-// How much of one line lies on another, in mm.
+// The length of one line that overlaps another, in mm.
 double overlap(const DrawnSegment& a, const DrawnSegment& b) {
   const double length = std::hypot(a[2] - a[0], a[3] - a[1]);
   const double across = (a[2] - a[0]) / length;
@@ -65,7 +66,7 @@ void expect_each_stretch_once(const std::vector<json>& strokes) {
   }
 }
 
-// Of a box seen from a corner nine edges are seen, three of them inside the outline.
+// Of a box seen from a corner nine edges are visible, three of them inside the outline.
 TEST_F(DrawStrokes, NoOuterEdgeIsLostInAnyFormat) {
   using Case = std::tuple<std::string, Arguments>;
   for (const auto& [mesh, view] : {Case{"outer-edge-whole-numbers.obj", {"--view", "dimetric"}},
@@ -82,7 +83,7 @@ TEST_F(DrawStrokes, NoOuterEdgeIsLostInAnyFormat) {
         EXPECT_EQ(kinds, (std::map<std::string, int>{{"crease", 3}, {"silhouette", 6}}));
         const std::string text = read(file);
         sightline::tests::DrawnLines lines;
-        double tolerance = 0.008;  // a pen's order joins ends within 0.005 mm; files have micrometres
+        double tolerance = 0.008;  // pen_order joins ends within 0.005 mm; files have micrometres
         if (file == "a.svg") {
           const std::size_t height = text.find("height=\"") + 8;
           lines = sightline::tests::lines_of_svg(text, std::atof(text.c_str() + height));
@@ -104,7 +105,7 @@ TEST_F(DrawStrokes, NoOuterEdgeIsLostInAnyFormat) {
   }
 }
 
-// Two cubes of 10, the second moved by 5 to the right and to the front: together 15 wide and 10 high, 12 mm a unit.
+// Two cubes of 10, the second moved by 5 to the right and to the front: together 15 wide and 10 high, 12 mm per unit.
 TEST_F(DrawStrokes, LinesThatCoincideInAViewAlongAnAxis) {
   const std::vector<json> rows = strokes("twice-aligned-view.obj", {"--view", "front"});
   std::set<std::array<double, 4>> lines;
@@ -126,7 +127,7 @@ TEST_F(DrawStrokes, BricksAreDrawnOnce) {
     expect_each_stretch_once(visible);
     const std::vector<json> all = strokes("twice-bricks.obj", {"--view", view, "--hidden"});
     expect_each_stretch_once(all);
-    // From the front and the right each hidden line lies under a visible one.
+    // From the front and the right each hidden line is covered by a visible one.
     const std::string name = view;
     EXPECT_EQ(all.size() > visible.size(), name != "front" && name != "right") << view;
     EXPECT_EQ(std::count_if(all.begin(), all.end(), [](const json& row) { return !row.at("hidden").get<bool>(); }),
@@ -134,7 +135,7 @@ TEST_F(DrawStrokes, BricksAreDrawnOnce) {
   }
 }
 
-// From the top all that is hidden of a cube lies under its outline, and four edges are seen as points.
+// From the top all hidden lines of a cube are under its outline, and four edges are points.
 TEST_F(DrawStrokes, ACubeFromTheTopHasNoHiddenLines) {
   const std::vector<json> rows = strokes("cube.obj", {"--view", "top", "--hidden"});
   EXPECT_EQ(rows.size(), 4U);
@@ -149,8 +150,8 @@ TEST_F(DrawStrokes, FieldCountsUnitsOfTheFile) {
   EXPECT_EQ(lines, (std::set<std::array<double, 4>>{{70, 40, 130, 40}, {70, 160, 130, 160}, {70, 40, 70, 160}, {130, 40, 130, 160}}));
 }
 
-// A closed line with a side of 0.5 mm, and a tick of 0.4 mm by itself.
-TEST_F(DrawStrokes, ShortLinesAreLeftOutUnlessTheyCloseAGap) {
+// A closed line with a side of 0.5 mm, and a separate tick of 0.4 mm.
+TEST_F(DrawStrokes, ShortLinesAreOmittedUnlessTheyCloseAGap) {
   write("l.obj", "v 0 0 0\nv 100 0 0\nv 100 50 0\nv 99.6 50.3 0\nv 0 50 0\nv 20 20 0\nv 20.4 20 0\nl 1 2 3 4 5 1\nl 6 7\n");
   const auto count = [&](const Arguments& more) {
     Arguments words{"draw", "exact", "l.obj", "--view", "front", "--scale", "1:1", "--strokes", "s.jsonl", "-o", "l.svg"};
@@ -168,7 +169,7 @@ TEST_F(DrawStrokes, ShortLinesAreLeftOutUnlessTheyCloseAGap) {
   EXPECT_EQ(sightline({"draw", "exact", "l.obj", "--min-length", "1", "-o", "l.png"}).exit_code, 2);
 }
 
-TEST_F(DrawStrokes, WhereStrokesGo) {
+TEST_F(DrawStrokes, StrokesAreWrittenToAFileOrStandardOutput) {
   const std::string cube = drawing_data + "cube.obj";
   const auto piped = sightline({"draw", "exact", cube, "--view", "iso", "--strokes", "-", "-o", "c.svg"});
   EXPECT_EQ(piped.exit_code, 0);
@@ -182,7 +183,7 @@ TEST_F(DrawStrokes, WhereStrokesGo) {
   EXPECT_EQ(sightline({"draw", "exact", cube, "--turntable", "12", "--strokes", "t.jsonl", "-o", "t.svg"}).exit_code, 0);
   EXPECT_TRUE(std::filesystem::exists(path("t-01.jsonl")));
   EXPECT_TRUE(std::filesystem::exists(path("t-12.jsonl")));
-  // What a scene without kinds has, too.
+  // Also for a scene without kinds.
   const auto boxes = sightline({"draw", "exact", "boxes-3", "--strokes", "-", "-o", "r.svg"});
   EXPECT_EQ(boxes.exit_code, 0);
   EXPECT_NE(boxes.out.find("\"kind\":\"silhouette\",\"layer\":\"visible\""), std::string::npos);

@@ -1,4 +1,4 @@
-// `sightline explain`: its files, its help, and what it says of wrong usage.
+// `sightline explain`: its files, its help, and usage errors.
 #include <filesystem>
 #include <sstream>
 
@@ -79,7 +79,7 @@ TEST_F(ExplainCommand, HeightsFromAnExpression) {
   EXPECT_EQ(json::parse(ran.out).at("scene"), "x*z");
 }
 
-TEST_F(ExplainCommand, SaysWhatIsWrong) {
+TEST_F(ExplainCommand, ReportsErrors) {
   expect_failure({"exact", "house", "-o", "steps.txt"}, 2, "ends in .json or .html, or - for JSON");
   expect_failure({"exact", "house"}, 2, "--output is required");
   expect_failure({"house", "jones", "-o", "steps.json"}, 2, "found \"house\" before jones, expected after it, as in `explain jones house`");
@@ -99,7 +99,7 @@ TEST_F(ExplainCommand, SendsAGridToSkala) {
   EXPECT_EQ(sightline({"explain", "skala", "hills.csv", "-o", "steps.json"}).exit_code, 0);
 }
 
-TEST_F(ExplainCommand, ALessonThatCannotBeLeavesNoFile) {
+TEST_F(ExplainCommand, AnImpossibleLessonLeavesNoFile) {
   expect_failure({"plantinga", "boxes-100", "-o", "steps.json"}, 4, "boxes-100: plantinga: the scene has 1200 edges");
   expect_failure({"willis", "boxes-200", "-o", "steps.html"}, 4, "boxes-200");
 }
@@ -111,7 +111,7 @@ TEST_F(ExplainCommand, AFullDiskIsAnError) {
   EXPECT_EQ(ran.exit_code, 5) << ran.err;
 }
 
-// The examples of the help are commands that run, those of each algorithm and those of all.
+// The examples in the help of each algorithm and in the common help run.
 TEST_F(ExplainCommand, ExamplesOfTheHelpRun) {
   NEEDS_OPTIMISED_CODE();
   std::vector<Arguments> pages{{"explain", "--help"}};

@@ -22,7 +22,7 @@ TEST_F(FlightCommand, WritesItsPicturesAndItsTable) {
   for (const char* file : {"p/town-5-flight.apng", "p/town-5-flight.png", "p/town-5-flight.csv"}) EXPECT_TRUE(exists(file)) << file;
 }
 
-TEST_F(FlightCommand, SaysItInJson) {
+TEST_F(FlightCommand, WritesJson) {
   for (const char* bits : {"8", "12", "16"}) {
     const Ran ran = sightline({"flight", "prisms-5", "--plan", "--bits", bits, "--pieces", "20", "--frames", "5", "--json", "-o", "p"});
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
@@ -36,12 +36,12 @@ TEST_F(FlightCommand, SaysItInJson) {
   }
 }
 
-TEST_F(FlightCommand, SaysByHowManyPiecesAModelDoesNotFitAndKeepsApartWhatTouches) {
+TEST_F(FlightCommand, ReportsTheExcessPiecesOfAModelAndSeparatesTouchingSolids) {
   const Ran ran = sightline({"flight", "town-60", "-o", "p"});
   EXPECT_EQ(ran.exit_code, 4);
   EXPECT_TRUE(has(ran.err, "town-60: 719 pieces, 464 more than the machine holds; body")) << ran.err;
   EXPECT_TRUE(has(ran.err, "--pieces")) << ran.err;
-  // Solids that touch are kept apart by planes.
+  // Touching solids are separated by planes.
   const Ran cells = sightline({"flight", "touch-2", "--json", "-o", "p"});
   ASSERT_EQ(cells.exit_code, 0) << cells.err;
   EXPECT_GT(json::parse(cells.out).at("planes"), 0);

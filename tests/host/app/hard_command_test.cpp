@@ -1,4 +1,4 @@
-// `sightline hard`: lists, runs and draws the hard cases, and what a user gets wrong.
+// `sightline hard`: lists, runs and draws the hard cases, and usage errors.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -28,7 +28,7 @@ TEST_F(HardCommand, ListsTheCases) {
   EXPECT_EQ(document["cases"].size(), 129U);
 }
 
-TEST_F(HardCommand, RunsACaseWhole) {
+TEST_F(HardCommand, RunsACompleteCase) {
   const auto ran = sightline({"hard", "J5-strip", "S8-backwards.txt", "M7"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   for (const char* part : {"J5 (jones, J5-strip.json): ", "\nexpected    a strip in common: the third cell is entered\n", "\nemulated    right\n",
@@ -47,13 +47,13 @@ TEST_F(HardCommand, GivesJson) {
   ASSERT_EQ(document["cases"].size(), 1U);
   EXPECT_EQ(document["cases"][0]["compare"], "sightline compare S11.csv --along x --rotate 0 --elevate 0");
   EXPECT_EQ(document["cases"][0]["methods"].size(), 4U);
-  // The guest moves a crossing by more than a column, where slopes differ by a quarter.
+  // The guest moves a crossing by more than a column if slopes differ by a quarter.
   ASSERT_EQ(document["families"].size(), 2U);
   EXPECT_EQ(document["families"][0]["builds"][0]["name"], "guest");
   EXPECT_EQ(document["families"][0]["builds"][0]["first_failure"], 4);
 }
 
-// Of a line that is drawn although it is hidden: dark at the right place of the second panel only, and blue in the third.
+// A hidden line that is drawn: dark at its place only in the second panel, and blue in the third.
 TEST_F(HardCommand, WritesInputsAndPictures) {
   const auto ran = sightline({"hard", "S8-backwards", "P22", "-o", "to"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
@@ -72,7 +72,7 @@ TEST_F(HardCommand, WritesInputsAndPictures) {
   EXPECT_EQ(colour(2), (std::vector<int>{0, 90, 200}));
 }
 
-TEST_F(HardCommand, SaysWhatIsWrong) {
+TEST_F(HardCommand, ReportsErrors) {
   const auto unknown = sightline({"hard", "J55"});
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_TRUE(has(unknown.err, "CASE: found \"J55\", expected a case of `sightline hard --list`; did you mean \"J5\"?")) << unknown.err;

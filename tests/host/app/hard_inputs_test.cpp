@@ -1,5 +1,5 @@
-// Every input of a hard case goes through `sightline compare`, as a file and in the view of its case; all cases come out as their
-// entries say.
+// Every input of a hard case works with `sightline compare`, as a file and in the view of its case; all cases have the recorded
+// results.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -18,7 +18,7 @@ using sightline::test::has;
 
 class HardInputs : public sightline::test::CommandLine, public testing::WithParamInterface<const char*> {
  protected:
-  // The same command once.
+  // Checks a command that occurs several times only once.
   void expect(const std::string& command, int exit_code, const std::string& part) {
     if (!done_.insert(command).second) return;
     std::istringstream words(command);
@@ -54,8 +54,8 @@ TEST_P(HardInputs, GoThroughCompare) {
         expect("sightline hard " + stem, 0, hard.input);
         continue;
       }
-      // No reader takes the file, or nobody can stand there.
-      const bool on_a_wall = hard.expect.program_refuses && hard.id != "J2";  // J2 is in an opening, where others can stand
+      // No reader accepts the file, or the eye is at an invalid position.
+      const bool on_a_wall = hard.expect.program_refuses && hard.id != "J2";  // J2 is in an opening, a valid eye for others
       const bool refused = hard.expect.refused || on_a_wall || hard.expect.eye_refused;
       if (refused) {
         expect(plain, 4, hard.input + ": ");
@@ -75,8 +75,8 @@ TEST_P(HardInputs, GoThroughCompare) {
 
 class HardBounds : public sightline::test::CommandLine {};
 
-// What Willis's method would need minutes and more for is left out by count, and only that.
-TEST_F(HardBounds, LeaveOutWhatIsTooMuchWork) {
+// Willis's method is omitted where it would take minutes or more, by count, and nothing else is.
+TEST_F(HardBounds, OmitWorkBeyondTheLimit) {
   for (const char* file : {"J10.json", "J12.json", "J12-far.json"}) {
     write(file, compare::hard_case_text(file));
     const auto ran = sightline({"compare", "--no-host-times", file});

@@ -1,4 +1,4 @@
-// --help teaches every option, with examples; --version; the errors of a lost user.
+// --help explains every option, with examples; --version; the errors for unknown names.
 #include <algorithm>
 #include <cstdlib>
 #include <map>
@@ -127,7 +127,7 @@ std::vector<std::string> listed_subcommands(const std::string& help) {
   return names;
 }
 
-// What the option parser itself would say: types of its own, sets of numbers behind names.
+// The option parser's own texts: type names, and sets of numbers after names.
 void expect_plain_words(const std::string& line) {
   EXPECT_FALSE(has(line, "->") || has(line, " OR {") || has(line, ":{")) << line;
   if (!line.starts_with("  -")) return;
@@ -152,7 +152,7 @@ TEST_F(HelpCommand, EveryLineFitsAndIsInPlainWords) {
     }
     EXPECT_FALSE(has(help, "\n\n\n")) << help;
   }
-  EXPECT_GE(commands.size(), 35U) << "subcommands are not found in the help";
+  EXPECT_GE(commands.size(), 35U) << "found too few subcommands in the help";
 }
 
 TEST_F(HelpCommand, IsAsWideAsTheTerminal) {
@@ -173,7 +173,7 @@ TEST_F(HelpCommand, IsAsWideAsTheTerminal) {
   EXPECT_GT(longest, 70U);
 }
 
-TEST_F(HelpCommand, ACommandOfMethodsListsThemALineEach) {
+TEST_F(HelpCommand, ACommandWithMethodsListsOnePerLine) {
   const std::string help = sightline({"draw", "--help"}).out;
   const auto methods = listed_subcommands(help);
   std::vector<std::string> registered;
@@ -193,7 +193,7 @@ TEST_F(HelpCommand, ACommandOfMethodsListsThemALineEach) {
     EXPECT_TRUE(has(all.substr(all.find("Words:")), word)) << word;
 }
 
-// The lines of a help that begin with an option: its last name and all that is said of it.
+// The lines of a help that begin with an option: its last name and its complete description.
 std::map<std::string, std::string> listed_options(const std::string& help) {
   std::map<std::string, std::string> options;
   std::istringstream lines(help.substr(0, help.find("\nExamples:")));
@@ -210,9 +210,10 @@ std::map<std::string, std::string> listed_options(const std::string& help) {
   return options;
 }
 
-// What `draw --help` says of options is what the helps of the methods say: each is one of more than half of them, and those that do
-// not have it are named.
-TEST_F(HelpCommand, OptionsThatMostMethodsShareAreListedAboveThem) {
+// `draw --help` describes options as the helps of the methods do: each listed option belongs to more than half of the methods,
+// and the
+// methods without it are named.
+TEST_F(HelpCommand, OptionsOfMostMethodsAreListedBeforeThem) {
   const std::string help = sightline({"draw", "--help"}).out;
   const std::vector<std::string> methods = listed_subcommands(help);
   auto shared = listed_options(help.substr(help.find("Options of most subcommands:")));
@@ -257,7 +258,7 @@ TEST_F(HelpCommand, Version) {
   EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 1);
 }
 
-// Every command that is shown there exists and knows its options, because its --help is given.
+// Every command shown there exists and knows its options: each is run with --help.
 TEST_F(HelpCommand, WithoutArgumentsItShowsWhereToBegin) {
   const auto ran = sightline({});
   EXPECT_EQ(ran.exit_code, 0);
@@ -287,8 +288,8 @@ TEST_F(HelpCommand, HelpOfACommandIsItsOption) {
   EXPECT_FALSE(sightline({"help", "scene"}).out.empty());
 }
 
-// The last line but one is the complaint.
-TEST_F(HelpCommand, WhatIsUnknownIsNamedWithTheNearestName) {
+// The last line but one is the error.
+TEST_F(HelpCommand, UnknownNamesAreReportedWithTheNearestName) {
   const auto complaint = [this](const Arguments& arguments) {
     const auto ran = sightline(arguments);
     EXPECT_EQ(ran.exit_code, 2) << ran.out;
@@ -307,12 +308,12 @@ TEST_F(HelpCommand, WhatIsUnknownIsNamedWithTheNearestName) {
   for (const char* name : {"frobnicate", "demo", "jones", "scene"}) EXPECT_TRUE(has(all, name)) << all;
   EXPECT_EQ(complaint({"demo", "house"}), "sightline: found \"house\", expected no more arguments");
   EXPECT_TRUE(has(complaint({"run"}), "expected one of pdp7, i8080"));
-  // Values that begin with a minus are no options.
+  // Values that begin with a minus are not options.
   EXPECT_EQ(complaint({"jones", "house", "--scale", "-5"}),
             "sightline: --scale: found \"-5\", expected a whole number from 64 to 4096");
 }
 
-TEST_F(HelpCommand, AnOptionBeforeItsSubcommandIsToldItsPlace) {
+TEST_F(HelpCommand, AnOptionBeforeItsSubcommandIsAnErrorWithItsPlace) {
   for (const Arguments& words : {Arguments{"draw", "--view", "iso", "exact", "boxes-3", "-o", "b.svg"}, Arguments{"draw", "--view=iso"}}) {
     const auto ran = sightline(words);
     EXPECT_EQ(ran.exit_code, 2);
@@ -320,20 +321,20 @@ TEST_F(HelpCommand, AnOptionBeforeItsSubcommandIsToldItsPlace) {
   }
 }
 
-// -o is required here: without it a misspelt option was not mentioned.
+// -o is required here: the message must still mention the misspelt option.
 TEST_F(HelpCommand, AnUnknownOptionIsReportedBeforeAMissingOne) {
   const auto ran = sightline({"draw", "exact", "house", "--sise", "3x3"});
   EXPECT_TRUE(has(ran.err, "unknown option --sise; did you mean \"--size\"?")) << ran.err;
   EXPECT_FALSE(has(ran.err, "--output")) << ran.err;
 }
 
-TEST_F(HelpCommand, NamesOfScenesAndFunctionsHaveANearestOneToo) {
+TEST_F(HelpCommand, UnknownScenesAndFunctionsHaveANearestName) {
   EXPECT_TRUE(has(sightline({"jones", "hosue"}).err, "did you mean \"house\"?"));
   EXPECT_TRUE(has(sightline({"skala", "lines", "sinq"}).err, "did you mean \"sinc\"?"));
   EXPECT_FALSE(has(sightline({"jones", "something-else"}).err, "did you mean"));
 }
 
-// Copied into a shell, a command that is broken into lines is the command that is written in one.
+// Copied into a shell, a command broken into lines acts like the same command in one line.
 TEST_F(HelpCommand, BrokenExamplesAreWholeCommands) {
   const auto words_of = [this](const char* columns) {
     ::setenv("COLUMNS", columns, 1);

@@ -1,5 +1,5 @@
-// Drawings as programs of others read them: SVG by rsvg-convert, PDF by pdftocairo, DXF by python3-ezdxf. Skipped with a
-// message where they are not installed (Debian: librsvg2-bin, poppler-utils, python3-ezdxf).
+// Drawings read by independent programs: SVG by rsvg-convert, PDF by pdftocairo, DXF by python3-ezdxf. Skipped with a message if
+// these are not installed (Debian: librsvg2-bin, poppler-utils, python3-ezdxf).
 #include <cstdlib>
 
 #include "host/picture/png.hpp"
@@ -11,7 +11,7 @@ using sightline::picture::Image;
 
 class IndependentReaders : public sightline::test::CommandLine {
  protected:
-  // In the directory of the test.
+  // Runs in the directory of the test.
   [[nodiscard]] bool shell(const std::string& command) const {
     return std::system(("cd '" + path("").string() + "' && { " + command + "; } >shell.out 2>&1").c_str()) == 0;
   }
@@ -28,7 +28,7 @@ class IndependentReaders : public sightline::test::CommandLine {
     EXPECT_TRUE(png) << (png ? "" : png.error().message());
     return png ? png->image : Image();
   }
-  // How many dark pixels of the one have none of the other within two.
+  // The number of dark pixels in one image without a dark pixel of the other within two.
   static int alone(const Image& a, const Image& b) {
     const auto dark = [](const Image& image, int column, int row) {
       constexpr int darker = 140;
@@ -52,7 +52,7 @@ class IndependentReaders : public sightline::test::CommandLine {
     for (auto& pixel : result.pixels) pixel = 255;
     return result;
   }
-  // An image that a reader made shows what ours does.
+  // The image made by a reader must show the same as our image.
   void expect_same(const std::string& file) const {
     const Image ours = image("ours.png");
     const Image theirs = image(file);

@@ -1,4 +1,4 @@
-// `sightline jones`: views, pictures, figures, and what is said when something is wrong.
+// `sightline jones`: views, pictures, figures, and errors.
 #include <nlohmann/json.hpp>
 
 #include "tests/host/app/command_line.hpp"
@@ -29,7 +29,7 @@ class JonesCommand : public sightline::test::CommandLine {
   }
 };
 
-TEST_F(JonesCommand, WritesPicturesAndSaysWhatItCost) {
+TEST_F(JonesCommand, WritesPicturesAndReportsTheCost) {
   const Ran ran = sightline({"jones", "house", "-o", "pictures"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   for (const char* line :
@@ -122,12 +122,12 @@ TEST_F(JonesCommand, TheCheckAddsNothing) {
   const Ran checked = sightline({"jones", "house", "--scale", "700", "--json", "--check"});
   EXPECT_EQ(checked.exit_code, 0) << checked.err;
   EXPECT_EQ(checked.out, plain.out);
-  // A person at the switches moves the eye, where the program in C++ does not follow.
+  // A person at the switches moves the eye; the twin does not follow.
   write("right.txt", "0 200000\n");
   EXPECT_EQ(sightline({"jones", "house", "--switches", "right.txt", "--check"}).exit_code, 2);
 }
 
-TEST_F(JonesCommand, NoEyeInASolidOrOutside) {
+TEST_F(JonesCommand, AnEyeInASolidOrOutsideIsAnError) {
   const json solid = scene_of("roberts").at("solids").at(0);
   std::string inside;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -164,7 +164,7 @@ TEST_F(JonesCommand, AFolderThatCannotBeMade) {
   EXPECT_TRUE(has(ran.err, "file/pictures")) << ran.err;
 }
 
-// What `draw jones` takes and the old program does not: the answer names the one that does.
+// Input that `draw jones` takes and the old program does not: the error names `draw jones`.
 TEST_F(JonesCommand, ScenesWithoutCells) {
   write("tent.off", "OFF\n4 4 0\n0 0 0\n9 1 0\n4 9 1\n3 2 9\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
   ASSERT_EQ(sightline({"scene", "convert", "tent.off", "-o", "tent.json"}).exit_code, 0);

@@ -1,4 +1,4 @@
-// `sightline monitor` in a pipe: exit codes, and how long a program may wait for a key that nobody types.
+// `sightline monitor` in a pipe: exit codes, and the limit for a program that waits for a key.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -10,7 +10,7 @@ namespace {
 
 class MonitorCommand : public CommandLine {
  protected:
-  // Asks for a key, and types nothing.
+  // A program that waits for a key that is never typed.
   void SetUp() override { write("waits.s", "100/\nbegin, 700301\n  jmp begin\n  700312\n  hlt\n  start begin\n"); }
   Ran monitor(std::string_view commands, Arguments words = {"waits.s"}) {
     words.insert(words.begin(), {"monitor", "pdp7"});
@@ -29,27 +29,27 @@ TEST_F(MonitorCommand, ExitCodesAreThoseOfTheHelp) {
   write("wrong.s", "100/\n  lac nobody\n");
   EXPECT_EQ(monitor("", {"wrong.s"}).exit_code, 4);
   EXPECT_EQ(monitor("", {"waits.s", "--radix", "7"}).exit_code, 2);
-  // The first that goes wrong ends it.
+  // The first error ends it.
   const Ran ran = monitor("ev 1\nnonsense\nev 2\n");
   EXPECT_EQ(ran.out, "1 = 1.\nunknown command \"nonsense\"; help lists them\n");
 }
 
-TEST_F(MonitorCommand, ATraceThatCannotBeWrittenIsToldAtOnce) {
+TEST_F(MonitorCommand, ATraceThatCannotBeWrittenIsReportedAtOnce) {
   const Ran ran = monitor("trace nowhere/t\nev 1\n");
   EXPECT_EQ(ran.exit_code, 2);
   EXPECT_EQ(ran.out.find("1 = 1."), std::string::npos) << ran.out;
   EXPECT_NE(ran.out.find("nowhere/t"), std::string::npos) << ran.out;
 }
 
-// After the HLT comes what is empty: 0 is CAL, which goes on at 21.
-TEST_F(MonitorCommand, AProgramThatRunsIntoEmptyMemoryIsToldOnce) {
+// Empty memory follows the HLT: 0 is CAL, which continues at 21.
+TEST_F(MonitorCommand, AProgramThatRunsIntoEmptyMemoryIsReportedOnce) {
   write("ends.s", "100/\nbegin, hlt\n  start begin\n");
   const Ran ran = monitor("continue\nrun for 1s\nrun for 1s\n", {"ends.s"});
   EXPECT_EQ(ran.exit_code, 0) << ran.out;
   EXPECT_EQ(ran.err, "sightline: warning: PC 00021: executes memory that is empty: nothing was loaded there\n");
 }
 
-// The manual's 60 seconds are of the program's time: a second or less here.
+// The manual's 60 seconds are emulated seconds: at most one host second.
 TEST_F(MonitorCommand, AProgramThatOnlyWaitsForAKeyIsEnded) {
   for (const char* const command : {"go", "run"}) {
     const Ran ran = monitor(std::string(command) + "\nassert time>=60000000000. && time<70000000000.\n");
@@ -59,14 +59,15 @@ TEST_F(MonitorCommand, AProgramThatOnlyWaitsForAKeyIsEnded) {
     EXPECT_NE(ran.out.find("stopped by end of input"), std::string::npos) << ran.out;
   }
   EXPECT_NE(monitor("send \"x\"\ngo\n").out.find("stopped by halt"), std::string::npos);
-  // The console of CP/M waits in no time: it is ended at once, and says why.
+  // CP/M's console waits in no emulated time: the program is ended at once, with a message.
   write("key.asm", "\tORG 100H\n\tMVI C,1\n\tCALL 5\n\tRET\n\tEND\n");
   const Ran cpm = sightline({"monitor", "i8080", "key.asm", "--cpm", "--console", "ascii"}, "continue\n");
   EXPECT_EQ(cpm.exit_code, 0);
   EXPECT_NE(cpm.out.find("the program waits for a key, and there is none: `send` types keys"), std::string::npos) << cpm.out;
 }
 
-// It counts for 67 s of its time, 48 times 2^18 turns of three cycles, without asking for a key, and halts; so does one that has read a key before.
+// It counts for 67 emulated seconds, 48 times 2^18 rounds of three cycles, without asking for a key, and halts; so does a program
+// that has read a key before.
 TEST_F(MonitorCommand, AProgramThatWorksLongIsNeverEnded) {
   constexpr const char* count = "  lac (-60\n  dac outer\nloop, isz inner\n  jmp loop\n  isz outer\n  jmp loop\n  hlt\ninner, 0\nouter, 0\n  start begin\n";
   write("works.s", std::string("100/\nbegin, cla\n") + count);

@@ -1,4 +1,4 @@
-// `sightline draw montani-re`: lines, outlines with holes, pixels by stripes, and what a user gets wrong.
+// `sightline draw montani-re`: lines, outlines with holes, pixels by stripes, and usage errors.
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -29,7 +29,7 @@ std::size_t count(const std::string& text, const std::string& what) {
   return n;
 }
 
-TEST_F(MontaniReCommand, LinesAreThoseOfTheExactEdges) {
+TEST_F(MontaniReCommand, LinesEqualTheExactEdges) {
   const json summary = drawn({"boxes-9", "-o", "m.svg"});
   EXPECT_EQ(summary["algorithm"], "montani-re");
   EXPECT_GT(summary["counts"]["relations"], 0);
@@ -37,7 +37,7 @@ TEST_F(MontaniReCommand, LinesAreThoseOfTheExactEdges) {
   EXPECT_EQ(read("m.svg"), read("e.svg"));
 }
 
-// The eye of these scenes is in a room: faces reach from before it to behind it.
+// The eye of these scenes is in a room: faces extend from in front of it to behind it.
 TEST_F(MontaniReCommand, LinesFromAmongTheFaces) {
   for (const std::string scene : {"street4", "corridor8", "roberts"}) {
     EXPECT_GT(drawn({scene, "-o", scene + ".svg"})["visible_length"], 1) << scene;
@@ -61,7 +61,7 @@ TEST_F(MontaniReCommand, OutlinesWithHoles) {
   EXPECT_TRUE(has(svg, "fill-rule=\"evenodd\""));
   EXPECT_EQ(count(svg, "<path "), 2U);
   EXPECT_EQ(count(svg, "M"), 3U);
-  // The frame fills the paper's inside but for what is left around it; the square behind ends at the hole.
+  // The frame fills the inside of the paper except its margin; the square behind ends at the hole.
   EXPECT_EQ(count(svg, "Z"), 3U);
   drawn({"window.json", "--fill", "--size", "110x110", "-o", "x.svg"});
   EXPECT_EQ(svg, read("x.svg"));
@@ -79,7 +79,7 @@ TEST_F(MontaniReCommand, PixelsByStripes) {
   EXPECT_NE(read("thin.png"), read("thick.png"));
 }
 
-TEST_F(MontaniReCommand, WhatAUserGetsWrong) {
+TEST_F(MontaniReCommand, UsageErrors) {
   const auto expect_usage_error = [&](Arguments arguments, std::string_view what) {
     arguments.insert(arguments.begin(), {"draw"});
     const auto ran = sightline(arguments);

@@ -1,5 +1,5 @@
-// One thing has one name in every subcommand: the eye, a generated scene, --eae, a picture by its name; older
-// names are understood as before.
+// One name per option in all subcommands: the eye, a generated scene, --eae, a picture by its name; older names are still
+// accepted.
 #include <nlohmann/json.hpp>
 
 #include "tests/host/app/command_line.hpp"
@@ -14,7 +14,7 @@ using sightline::test::Ran;
 
 class OptionNames : public sightline::test::CommandLine {
  protected:
-  // What both say and write is the same, and not nothing.
+  // Both must print and write the same, and something.
   void expect_same(const Arguments& one, const Arguments& other) {
     const Ran a = sightline(one);
     const Ran b = sightline(other);
@@ -57,7 +57,7 @@ TEST_F(OptionNames, GeneratedScenesAreScenesEverywhere) {
   expect_same({"scene", "convert", "boxes-3-7"}, {"scene", "convert", "file.json"});
   for (const char* action : {"info", "check", "convert"})
     expect_usage_error({"scene", action, "boxes-0"}, "found 0, expected 1..");
-  // A file of that name comes first.
+  // An existing file of that name takes precedence.
   write("boxes-3", "nothing");
   EXPECT_EQ(sightline({"scene", "check", "boxes-3"}).exit_code, 4);
   EXPECT_EQ(sightline({"scene", "check", "bushes-3"}).exit_code, 5);
@@ -89,7 +89,7 @@ TEST_F(OptionNames, PicturesAndSlicesByNamesOnly) {
   EXPECT_TRUE(files().empty());
 }
 
-TEST_F(OptionNames, DrawSkalaSaysWhatItDrew) {
+TEST_F(OptionNames, DrawSkalaReportsWhatItDrew) {
   const Ran ran = sightline({"draw", "skala", "saddle", "--picture", "contours", "--points", "9", "--slices",
                              "11", "--json", "-o", "s.svg"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
@@ -125,7 +125,7 @@ TEST_F(OptionNames, ARunNeedsAProgram) {
   expect_usage_error({"monitor", "pdp7"}, "monitor pdp7: needs a PROGRAM or --load FILE");
 }
 
-TEST_F(OptionNames, AViewThatIsNoMomentOfATurnIsNamed) {
+TEST_F(OptionNames, AViewOutsideATurnIsAnError) {
   const auto refused = [this](const Arguments& view, const char* reason) {
     Arguments arguments{"draw", "plantinga", "boxes-2", "-o", "p.svg"};
     arguments.insert(arguments.end(), view.begin(), view.end());

@@ -1,5 +1,5 @@
 // Drawings checked by rays (tests/support/ray_check.hpp): no visible sample of an edge is undrawn, no hidden one is drawn.
-// The public meshes are those of Debian's assimp-testmodels; without them their test is skipped, with a message.
+// The public meshes are those of Debian's assimp-testmodels; without them that test is skipped with a message.
 #include "tests/support/ray_check.hpp"
 
 #include <array>
@@ -27,7 +27,7 @@ constexpr std::uint32_t seed = 20;
 
 class RayCheckedDrawing : public sightline::test::CommandLine {
  protected:
-  // What the command wrote last.
+  // The view of the command's last run.
   sightline::tests::PlainView view;
   std::vector<PlainStroke> strokes;
 
@@ -49,7 +49,7 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-// Without perspective, and from outside in perspective.
+// Orthographic views, and perspective views from outside.
 std::vector<sightline::test::Arguments> views_of(const PlainMesh& mesh) {
   Point3 low = mesh.vertices.front();
   Point3 high = low;
@@ -66,7 +66,7 @@ std::vector<sightline::test::Arguments> views_of(const PlainMesh& mesh) {
   return {{"--view", "iso"}, {"--view", "front"}, {"--view", "trimetric"}, {"--eye", eye}};
 }
 
-TEST_F(RayCheckedDrawing, ShowsWhatCanBeSeenOfPublicMeshes) {
+TEST_F(RayCheckedDrawing, IsCorrectForPublicMeshes) {
   const fs::path folder = "/usr/share/assimp/models";
   std::error_code missing;
   std::vector<std::string> files;
@@ -118,14 +118,15 @@ TEST_F(RayCheckedDrawing, ShowsWhatCanBeSeenOfPublicMeshes) {
       visible += report.visible;
     }
   }
-  // The check has not become empty.
+  // Guards against an empty check.
   EXPECT_GE(checked, 30);
   EXPECT_GE(visible, 60000U);
 }
 
-// Where a closed part passes through itself, what is behind the crossing is turned the wrong side out: two pyramids on one base,
-// turned against each other, so that each has the outside of the other one inside.
-TEST_F(RayCheckedDrawing, ShowsABodyThatPassesThroughItself) {
+// Where a closed part passes through itself, the surface beyond the crossing is inside out: two pyramids on one base, turned
+// against
+// each other, so that the outside of each is inside the other.
+TEST_F(RayCheckedDrawing, IsCorrectForABodyThatPassesThroughItself) {
   write("a.obj", "v 0 0 0\nv 4 0 0\nv 0 0 4\nv 1 4 1\nv 6 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\nf 2 1 5\nf 3 2 5\nf 1 3 5\n");
   const PlainMesh mesh = sightline::tests::read_plain_mesh(path("a.obj").string());
   for (const char* name : {"front", "back", "left", "right", "top", "bottom", "iso"}) {
@@ -136,8 +137,8 @@ TEST_F(RayCheckedDrawing, ShowsABodyThatPassesThroughItself) {
   }
 }
 
-// Bevels of 0.2 in tenths are no errors of rounding.
-TEST_F(RayCheckedDrawing, ShowsBevelsInShortNumbers) {
+// Bevels of 0.2 in a file with one decimal are not rounding errors.
+TEST_F(RayCheckedDrawing, ShowsBevelsOfFewDecimals) {
   write("a.obj",
         "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 0.8 0\nv 1 0.8 0\nv 1 0.8 1\nv 0 0.8 1\nv 0.2 1 0.2\nv 0.8 1 0.2\nv 0.8 1 "
         "0.8\n"
@@ -150,8 +151,8 @@ TEST_F(RayCheckedDrawing, ShowsBevelsInShortNumbers) {
   EXPECT_TRUE(report.good()) << joined(report.faults);
 }
 
-// Meshes of few whole numbers: vertices and edges on faces, faces that touch or lie in one plane, lines that coincide.
-TEST_F(RayCheckedDrawing, ShowsWhatCanBeSeenOfRandomMeshes) {
+// Meshes with few integer coordinates: vertices and edges on faces, touching and coplanar faces, coincident lines.
+TEST_F(RayCheckedDrawing, IsCorrectForRandomMeshes) {
   std::mt19937 engine(seed);
   const auto random = [&engine](int low, int high) {
     return low + static_cast<int>(engine() % static_cast<unsigned>(high - low + 1));
@@ -186,7 +187,7 @@ TEST_F(RayCheckedDrawing, ShowsWhatCanBeSeenOfRandomMeshes) {
     try {
       mesh = sightline::tests::read_plain_mesh(path("a.obj").string());
     } catch (const std::runtime_error&) {
-      continue;  // all faces have a vertex twice
+      continue;  // every face has a vertex twice
     }
     std::string direction = triple(-3, 3);
     if (direction == "0 0 0") direction = "1 2 -3";
@@ -204,7 +205,7 @@ TEST_F(RayCheckedDrawing, ShowsWhatCanBeSeenOfRandomMeshes) {
   EXPECT_GE(visible, 10000U);
 }
 
-// What the command draws of a mesh, with one fault made by hand.
+// The command's drawing of a mesh, with one fault inserted by hand.
 TEST_F(RayCheckedDrawing, FindsAFaultInADrawingOfTheCommand) {
   const std::string file = std::string(SIGHTLINE_SOURCE_DIR) + "/host/examples/bracket.obj";
   const PlainMesh mesh = sightline::tests::read_plain_mesh(file);

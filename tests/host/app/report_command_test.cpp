@@ -1,4 +1,4 @@
-// `sightline report` as a user runs it: the page and tables of one part, and what is refused.
+// `sightline report` as a user runs it: the page and tables of one part, and errors.
 #include <nlohmann/json.hpp>
 
 #include "tests/host/app/command_line.hpp"
@@ -20,14 +20,14 @@ TEST_F(ReportCommand, WritesThePageAndTheTablesOfAPart) {
   EXPECT_EQ(views["rows"][0]["scene"], "house");
 }
 
-TEST_F(ReportCommand, RefusesAPartThatIsNotThere) {
+TEST_F(ReportCommand, RejectsAnUnknownPart) {
   const Ran ran = sightline({"report", "--part", "77"});
   EXPECT_EQ(ran.exit_code, 2);
   EXPECT_NE(ran.err.find("--part: found 77, expected one of 1, "), std::string::npos) << ran.err;
   EXPECT_TRUE(files().empty());
 }
 
-TEST_F(ReportCommand, SaysBeforeItMeasuresThatItCannotWrite) {
+TEST_F(ReportCommand, ReportsAnUnwritableOutputBeforeMeasuring) {
   write("taken", "mine");
   const Ran ran = sightline({"report", "-o", "taken"});
   EXPECT_EQ(ran.exit_code, 5);

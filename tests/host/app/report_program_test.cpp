@@ -1,5 +1,5 @@
-// `sightline report` becomes the program sightline-report: where it is looked for, what it is given, what is
-// said without it. A script stands for the program.
+// `sightline report` executes the program sightline-report: where it looks for it, the arguments it passes, the error without it.
+// A script takes the place of the program.
 #include <cstdlib>
 
 #include "tests/host/app/command_line.hpp"
@@ -20,7 +20,7 @@ class ReportProgram : public CommandLine {
     std::filesystem::permissions(path(name), std::filesystem::perms::owner_all);
   }
 
-  // The exit code of the copy of the command; what it writes is in `out` and `err`.
+  // Runs a copy of the command and returns the exit code; its output is in `out` and `err`.
   int run_copy(const std::string& arguments) {
     const int status = std::system(
         ("cd '" + path("").string() + "' && bin/sightline " + arguments + " > out 2> err").c_str());

@@ -1,7 +1,8 @@
-// `sightline run pdp7`: the machine and its core, every way to stop, reports, bad input.
+// `sightline run pdp7`: the machine and its core, all ways to stop, reports, bad input.
 //
-// Expected registers, times and words are worked out by hand from the instruction list (1.75 us a cycle;
-// memory references two cycles, JMP and OPR one).
+// Expected registers, times and words are computed by hand from the instruction list (1.75 us per cycle; memory references take
+// two
+// cycles, JMP and OPR one).
 #include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -83,9 +84,9 @@ TEST_F(RunCommand, OutputsOnStandardOutputReplaceTheTable) {
   EXPECT_TRUE(has(ran.err, "stopped by      halt, PC 00103")) << ran.err;
 }
 
-// A run that is interrupted by a dump and continued from it leaves what the whole run leaves.
+// A run that is dumped and continued from the dump leaves the same state as the complete run.
 TEST_F(RunCommand, ADumpContinuesTheRun) {
-  // Counts MQ-less: ISZ of 200, SZL, CML, TAD of 201, JMP: registers and core change with every round.
+  // Counts without MQ: ISZ of 200, SZL, CML, TAD of 201, JMP: registers and core change in every round.
   write("loop.oct", "00100: 440200 741400 740002 340201 600100\n00200: 777770 000013\n");
   ASSERT_EQ(run({"loop.oct", "--start", "100", "--set", "MQ=123", "--max-instructions", "1e3", "--dump", "whole"}).exit_code, 0);
   ASSERT_EQ(run({"loop.oct", "--start", "100", "--set", "MQ=123", "--max-instructions", "399", "--dump", "part"}).exit_code, 0);
@@ -93,7 +94,7 @@ TEST_F(RunCommand, ADumpContinuesTheRun) {
   const Ran rest = run({"part", "--max-instructions", "601", "--dump", "joined"});
   EXPECT_EQ(rest.exit_code, 0) << rest.err;
   EXPECT_EQ(read("joined"), read("whole"));
-  // --start and --set come after what was loaded.
+  // --start and --set apply after the loads.
   EXPECT_EQ(report({"part", "--start", "200", "--max-instructions", "0"}).at("pc"), "00200");
   EXPECT_EQ(report({"part", "--set", "MQ=7", "--max-instructions", "0"}).at("registers").at("mq"), "000007");
   EXPECT_EQ(report({"part", "--max-instructions", "0"}).at("registers").at("mq"), "000123");
@@ -117,7 +118,7 @@ TEST_F(RunCommand, DumpsThatAreDamaged) {
   refused(good + "000000\n", "found a word for address 10000");
   write("bad", good);
   EXPECT_TRUE(has(run({"bad@100", "--memory", "4k"}).err, "a dump begins at 0"));
-  // 32,769 words and more are outside every core.
+  // Word 32,769 is outside every core.
   ASSERT_EQ(run({"halt.oct", "--memory", "32k", "--dump", "large"}).exit_code, 0);
   write("bad", read("large") + "000000\n");
   EXPECT_TRUE(has(run({"bad", "--memory", "32k"}).err, "expected 32768 words at most"));
@@ -138,7 +139,7 @@ TEST_F(RunCommand, WhereItStarts) {
   EXPECT_EQ(report({"--load", "add.rim", "--start", "100"}).at("registers").at("ac"), "000010");
   EXPECT_EQ(report({"--load", "add.rim", "--set", "PC=102"}).at("instructions"), 1);
   EXPECT_EQ(report({"--load", "add.rim", "--start", "100", "--set", "PC=102"}).at("instructions"), 1);
-  // START turns the interrupt system off; --set comes after it.
+  // START turns the interrupt system off; --set applies after it.
   EXPECT_EQ(report({"--load", "add.rim", "--set", "ION=1"}).at("registers").at("ion"), 1);
 }
 
@@ -187,7 +188,7 @@ TEST_F(RunCommand, MemorySizes) {
   EXPECT_EQ(run({"--load", "far.oct", "--memory", "12k"}).exit_code, 2);
   EXPECT_EQ(run({"--load", "far.oct", "--start", "20000"}).exit_code, 2);
   EXPECT_EQ(run({"--load", "far.oct", "--set", "PC=20000"}).exit_code, 2);
-  // EEM exists only above 8K: elsewhere nothing obeys it.
+  // EEM exists only above 8K: elsewhere it has no effect.
   write("eem.oct", "00000: 707702 740040\n");
   EXPECT_TRUE(report({"--load", "eem.oct", "--memory", "16k"}).at("unanswered").empty());
   EXPECT_EQ(report({"--load", "eem.oct"}).at("unanswered").at(0).at("word"), "707702");
@@ -204,7 +205,7 @@ TEST_F(RunCommand, EaePresentOrAbsent) {
 }
 
 TEST_F(RunCommand, OneWarningACode) {
-  // Device 55 twice, the display that is not there once, HLT.
+  // Device 55 twice, the absent display once, HLT.
   write("odd.oct", "00100: 705512 705512 700606 740040\n");
   const Ran ran = run({"--load", "odd.oct", "--start", "100", "--no-display", "--json"});
   EXPECT_EQ(ran.exit_code, 0);
@@ -215,7 +216,7 @@ TEST_F(RunCommand, OneWarningACode) {
   EXPECT_FALSE(has(run({"--load", "odd.oct", "--start", "100"}).err, "700606"));
 }
 
-// Device 55 and JMP 100, for longer than the command runs without asking: the warning comes before the end of the run, and once.
+// Device 55 and JMP 100, longer than the command runs silently: the warning comes once, before the end of the run.
 TEST_F(RunCommand, WarnsWhileTheProgramRuns) {
   write("waits.oct", "00100: 705512 600100\n");
   const Ran ran = run({"--load", "waits.oct", "--start", "100", "--max-instructions", "20000000", "--json"});
@@ -224,12 +225,12 @@ TEST_F(RunCommand, WarnsWhileTheProgramRuns) {
   EXPECT_TRUE(has(ran.err, " times so far)")) << ran.err;
   EXPECT_EQ(ran.err.find("705512", first + 20), std::string::npos) << ran.err;
   EXPECT_EQ(json::parse(ran.out).at("unanswered").at(0).at("count"), 10'000'000);
-  // A shorter run has it at its end, with the whole count.
+  // A shorter run has the warning at its end, with the whole count.
   EXPECT_TRUE(has(run({"--load", "waits.oct", "--start", "100", "--max-instructions", "6"}).err, "obeys it (3 times)"));
 }
 
-// The program is the same with a display that was there from the beginning and with one plugged in when it is used.
-TEST_F(RunCommand, TheDisplayIsPluggedInWhenItIsUsed) {
+// The program runs the same with a display attached from the beginning and with one connected at its first use.
+TEST_F(RunCommand, TheDisplayIsConnectedAtItsFirstUse) {
   write("picture.oct", picture);
   const Arguments program{"picture.oct", "--start", "100", "--max-time", "0.02", "--json", "--trace", "trace", "--dump", "dump", "--save", "snap"};
   const auto with = [&program](const std::string& option) {
@@ -252,7 +253,7 @@ TEST_F(RunCommand, TheDisplayIsPluggedInWhenItIsUsed) {
   write("add.oct", add);
   EXPECT_EQ(report({"add.oct", "--start", "100"}).at("machine").at("display"), false);
   EXPECT_FALSE(has(run({"add.oct", "--start", "100"}).out, "display"));
-  // IDLA stops a strict run of a machine without one. An output of the display needs it.
+  // IDLA stops a strict run of a machine without display. An output of the display needs one.
   EXPECT_EQ(run({"picture.oct", "--start", "100", "--strict", "--no-display"}).exit_code, 3);
   EXPECT_EQ(run({"picture.oct", "--start", "100", "--strict", "--max-time", "0.01"}).exit_code, 0);
   for (const char* const option : {"--png", "--svg", "--phosphor", "--movie", "--strokes"})
@@ -260,8 +261,8 @@ TEST_F(RunCommand, TheDisplayIsPluggedInWhenItIsUsed) {
   EXPECT_EQ(run({"add.oct", "--start", "100", "--no-display", "--display"}).exit_code, 2);
 }
 
-// 700547 is an instruction of a Graphic-2 that a kernel of 1970 executes without one; 700601 is IDSI of the Type 340.
-TEST_F(RunCommand, AGraphic2IsNoType340) {
+// 700547 is an instruction of a Graphic-2, which a kernel of 1970 executes without one; 700601 is IDSI of the Type 340.
+TEST_F(RunCommand, AGraphic2IsNotAType340) {
   write("graphic.oct", "00100: 700547 740040 700601 740040\n");
   EXPECT_EQ(report({"graphic.oct", "--start", "100"}).at("machine").at("display"), false);
   EXPECT_EQ(report({"graphic.oct", "--start", "102"}).at("machine").at("display"), true);
@@ -306,7 +307,7 @@ TEST_F(RunCommand, BadFiles) {
   EXPECT_EQ(run({"--load", "."}).exit_code, 5);
 }
 
-TEST_F(RunCommand, OutputsThatCannotBeWrittenAreKnownBeforeTheRun) {
+TEST_F(RunCommand, UnwritableOutputsAreReportedBeforeTheRun) {
   write("forever.oct", forever);
   const Ran ran = run({"--load", "forever.oct", "--start", "100", "--dump", "core", "--png", "no/where.png"});
   EXPECT_EQ(ran.exit_code, 5);
@@ -322,7 +323,7 @@ TEST_F(RunCommand, AProgramNeedsNoOption) {
   EXPECT_EQ(ran.out, named.out);
 }
 
-// 3 and 5, in one source and in two side by side, and in the language of Bell Laboratories, whose programs begin at 0.
+// 3 and 5, in one source and in two, and in the language of Bell Laboratories, whose programs begin at 0.
 TEST_F(RunCommand, SourcesAreAssembled) {
   write("add.s", "100/\nbegin, lac (3\n tad (5\n hlt\n start begin\n");
   EXPECT_EQ(report({"add.s"}).at("registers").at("ac"), "000010");
@@ -341,7 +342,7 @@ TEST_F(RunCommand, SourcesAreAssembled) {
   EXPECT_EQ(monitored.err, ran.err);
 }
 
-TEST_F(RunCommand, ASourceAtAnAddressIsRefusedWithTheCommandThatAssemblesIt) {
+TEST_F(RunCommand, ASourceAtAnAddressIsAnErrorThatNamesTheAssembler) {
   write("add.s", "100/\n hlt\n start 100\n");
   const Ran ran = run({"add.s@100"});
   EXPECT_EQ(ran.exit_code, 4);
@@ -392,8 +393,8 @@ TEST_F(RunCommand, SameBytesEveryTime) {
   }
 }
 
-// 3 cycles of 1750 ns and the steps of the EAE, counted in its description; IORS with 500 ns more; a clock
-// whose first tick, at the first boundary after its period, interrupts and halts.
+// 3 cycles of 1750 ns and the EAE steps that its description gives; IORS with 500 ns more; a clock whose first tick, at the first
+// boundary after its period, interrupts and halts.
 TEST_F(RunCommand, TimesThatCanBeSet) {
   write("mul.oct", "00000: 653122 000007 740040\n");  // 18 steps
   write("div.oct", "00000: 653323 000007 740040\n");  // 19

@@ -1,5 +1,5 @@
-// `sightline run i8080 --cpm` with drives, a BIOS and a list device; stepping back over what a program does with files.
-// The programs are assembled by `sightline asm`; what they must leave on the host follows from their sources.
+// `sightline run i8080 --cpm` with drives, a BIOS and a list device; stepping back over a program's file operations.
+// The programs are assembled by `sightline asm`; their sources determine the expected files on the host.
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -52,7 +52,7 @@ TEST_F(CpmCommand, TheExampleCopiesAFile) {
   EXPECT_FALSE(exists("a/TO2.TXT"));
 }
 
-TEST_F(CpmCommand, AFunctionWithoutItsOptionIsNamedWithIt) {
+TEST_F(CpmCommand, AFunctionThatNeedsAnOptionNamesIt) {
   assemble("\tORG 100H\n\tMVI C,15\n\tCALL 5\n\tJMP 0\n");
   const Ran bare = run({});
   EXPECT_EQ(bare.exit_code, 3);
@@ -66,12 +66,12 @@ TEST_F(CpmCommand, AFunctionWithoutItsOptionIsNamedWithIt) {
 }
 
 TEST_F(CpmCommand, TheBiosIsFoundThroughPageZero) {
-  // Prints by CONOUT, found 9 bytes behind WBOOT, and returns at the top level; the top of memory is the word at 6.
+  // Prints by CONOUT, found 9 bytes after WBOOT, and returns at the top level; the word at 6 gives the top of memory.
   assemble("\tORG 100H\n\tLHLD 1\n\tLXI D,9\n\tDAD D\n\tMVI C,'!'\n\tLXI D,BACK\n\tPUSH D\n\tPCHL\nBACK:\tLHLD 6\n\tSHLD 200H\n\tRET\n");
   const Ran ran = run({"--cpm-drive", "a=a", "--dump", "d", "--console-out", "c"});
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
   EXPECT_EQ(read("c"), "!");
-  // A line of registers, then 16 bytes a line.
+  // A line of registers, then 16 bytes per line.
   std::istringstream dump(read("d"));
   std::string line;
   for (int n = 0; n <= 0x200 / 16 + 1; ++n) std::getline(dump, line);
@@ -90,7 +90,7 @@ TEST_F(CpmCommand, TheListDeviceHasAFile) {
 }
 
 TEST_F(CpmCommand, BiosKeysComeFromTheConsole) {
-  // CONIN at 6 behind WBOOT, its key printed twice by function 2.
+  // CONIN at 6 bytes after WBOOT; function 2 prints its key twice.
   assemble(
       "\tORG 100H\n\tLHLD 1\n\tLXI D,6\n\tDAD D\n\tLXI D,BACK\n\tPUSH D\n\tPCHL\nBACK:\tMOV E,A\n\tPUSH D\n\tMVI C,2\n\tCALL 5\n"
       "\tPOP D\n\tMVI C,2\n\tCALL 5\n\tJMP 0\n");
@@ -100,8 +100,9 @@ TEST_F(CpmCommand, BiosKeysComeFromTheConsole) {
 }
 
 TEST_F(CpmCommand, SteppingBackLeavesTheFilesAndGivesTheSameAnswers) {
-  // Deletes A:GONE, keeps the answer at 200, then appends a record to A:LOG. Run again, the deletion would fail and the record
-  // be written twice.
+  // Deletes A:GONE, stores the result at 200, then appends a record to A:LOG. If this ran again, the deletion would fail and the
+  // record
+  // would be written twice.
   assemble(
       "\tORG 100H\n\tLXI D,GONE\n\tMVI C,19\n\tCALL 5\n\tSTA 200H\n\tLXI D,LOG\n\tMVI C,35\n\tCALL 5\n\tLXI D,LOG\n\tMVI C,34\n"
       "\tCALL 5\n\tNOP\n\tHLT\nGONE:\tDB 0,'GONE       '\n\tDS 24\nLOG:\tDB 0,'LOG        '\n\tDS 24\n");
@@ -117,7 +118,7 @@ TEST_F(CpmCommand, SteppingBackLeavesTheFilesAndGivesTheSameAnswers) {
   EXPECT_TRUE(has(ran.out, "0108")) << "the STA is in the history: " << ran.out;
 }
 
-TEST_F(CpmCommand, ASnapshotGoesOnWithItsFiles) {
+TEST_F(CpmCommand, ASnapshotContinuesWithItsFiles) {
   assemble(
       "\tORG 100H\n\tLXI D,F\n\tMVI C,22\n\tCALL 5\n\tMVI A,'1'\n\tSTA 80H\n\tLXI D,F\n\tMVI C,21\n\tCALL 5\n\tMVI A,'2'\n\tSTA 80H\n"
       "\tLXI D,F\n\tMVI C,21\n\tCALL 5\n\tJMP 0\nF:\tDB 0,'F       DAT'\n\tDS 24\n");
@@ -130,7 +131,7 @@ TEST_F(CpmCommand, ASnapshotGoesOnWithItsFiles) {
   EXPECT_EQ(sightline({"run", "i8080", "--restore", "s", "--cpm"}).exit_code, 4) << "without the drive";
 }
 
-TEST_F(CpmCommand, DrivesThatAreNone) {
+TEST_F(CpmCommand, InvalidDrives) {
   const auto refused = [this](Arguments options, std::string_view message) {
     options.insert(options.begin(), {"run", "i8080", "--load", "p.com"});
     const Ran ran = sightline(options);
@@ -144,7 +145,7 @@ TEST_F(CpmCommand, DrivesThatAreNone) {
   refused({"--cpm", "--cpm-drive", "a=a", "--cpm-drive", "A=a"}, "found two folders for drive A, expected one");
 }
 
-// A program for the Altair: what is typed comes back by the 2SIO, a character in ten bits of the line.
+// A program for the Altair echoes typed characters through the 2SIO, each taking ten bits on the line.
 TEST_F(CpmCommand, TheTerminalOfAnAltairIsTheConsole) {
   std::filesystem::copy_file(std::filesystem::path(SIGHTLINE_SOURCE_DIR) / "host/examples/boards/altair.asm", path("p.asm"));
   ASSERT_EQ(sightline({"asm", "i8080", "p.asm", "-o", "p.hex"}).exit_code, 0);
@@ -159,7 +160,7 @@ TEST_F(CpmCommand, TheTerminalOfAnAltairIsTheConsole) {
   EXPECT_TRUE(has(ran.err, "stopped by      halt")) << ran.err;
   const Ran slow = session({"--console", "ascii", "--send", "abc\\e", "--baud", "110", "--dump", "d"});
   EXPECT_EQ(slow.out, "abc");
-  // Three characters of a tenth of a second each must have been received before the last key.
+  // Three characters of a tenth of a second each must be received before the last key.
   EXPECT_TRUE(has(slow.err, "emulated time   0.3")) << slow.err;
   EXPECT_TRUE(has(session({"--console", "ascii", "--baud", "7"}).err, "--baud: found 7, expected 50 to 1000000"));
   EXPECT_TRUE(has(sightline({"run", "i8080", "p.hex", "--baud", "300"}).err, "--baud: needs --terminal"));

@@ -1,6 +1,6 @@
-// `sightline run pdp7` with what is around the processor: display and light pen, switches, tapes, teletype.
+// `sightline run pdp7` with its devices: display and light pen, switches, tapes, teletype.
 //
-// Expected words and times are worked out by hand from the instruction list and the display's word formats.
+// Expected words and times are computed by hand from the instruction list and the display's word formats.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -56,8 +56,9 @@ TEST_F(RunDevices, PictureOfTheLastCompletePass) {
   EXPECT_TRUE(has(read("strokes"), " 320 256 7 00111\n"));
 }
 
-// Ten photographs a second: the one at 0.1 s is that of a run that ends there, whose first boundary is at most a cycle later.
-TEST_F(RunDevices, AMovieIsARowOfPhotographs) {
+// Ten photographs per second: the one at 0.1 s equals that of a run that ends there, whose first boundary is at most a cycle
+// later.
+TEST_F(RunDevices, AMovieIsASequenceOfPhotographs) {
   write("picture.oct", picture);
   const Arguments plain{"--load", "picture.oct", "--start", "100", "--max-time", "0.35"};
   Arguments filmed = plain;
@@ -67,7 +68,7 @@ TEST_F(RunDevices, AMovieIsARowOfPhotographs) {
   drawn.insert(drawn.end(), {"--strokes", "drawn"});
   EXPECT_EQ(with.at("instructions"), report(drawn).at("instructions"));
   EXPECT_EQ(read("filmed"), read("drawn"));
-  // acTL: the number of frames, big-endian, behind the name of the chunk.
+  // acTL: the number of frames, big-endian, after the name of the chunk.
   const std::string movie = read("m.png");
   const std::size_t control = movie.find("acTL");
   ASSERT_NE(control, std::string::npos);
@@ -86,8 +87,8 @@ TEST_F(RunDevices, AMovieIsARowOfPhotographs) {
   EXPECT_EQ(run({"--load", "picture.oct", "--movie", "m", "--movie-rate", "0"}).exit_code, 2);
 }
 
-TEST_F(RunDevices, AnOldPictureIsNamed) {
-  // IDLA once, then a loop: the only pass, of 65 points on a line, is over within a millisecond.
+TEST_F(RunDevices, AnOldPictureDrawsAWarning) {
+  // IDLA once, then a loop: the only pass, of 65 points on a line, ends within a millisecond.
   write("once.oct", "00100: 200105 700606 600102 000000 000000 000106 020117 220400 102400 600100 003000\n");
   const Arguments options{"--load", "once.oct", "--start", "100", "--png", "p.png"};
   const auto with = [&options](Arguments more) {
@@ -99,7 +100,7 @@ TEST_F(RunDevices, AnOldPictureIsNamed) {
   const Ran old = run(with({"--max-time", "0.3"}));
   EXPECT_TRUE(has(old.err, "the picture shows a pass that ended 0.299")) << old.err;
   EXPECT_TRUE(has(old.out + old.err, "1 stop codes")) << old.out;
-  // The window before the end has no stroke in it, one that reaches back has the point.
+  // The window before the end contains no stroke; a longer window contains the point.
   EXPECT_EQ(run(with({"--max-time", "0.3", "--png-window", "0.1"})).exit_code, 0);
   const auto empty = sightline::picture::read_png(path("p.png").string());
   EXPECT_EQ(std::count(empty->image.pixels.begin(), empty->image.pixels.end(), 255), 0);
@@ -127,7 +128,7 @@ TEST_F(RunDevices, ADisplayFileThatNeverStops) {
 }
 
 TEST_F(RunDevices, DisplayOptions) {
-  // IDLA of a file that enters mode 3 (characters) at once, with a stop after it: without the 342 it hangs.
+  // IDLA of a file that enters mode 3 (characters) at once, followed by a stop: without the 342 it hangs.
   write("text.oct", "00100: 200103 700606 600102 000104 060117 015437\n");
   const Arguments options{"--load", "text.oct", "--start", "100", "--max-time", "0.1", "--strokes", "s"};
   Arguments with = options;
@@ -158,7 +159,7 @@ TEST_F(RunDevices, TapeReaderPunchAndTeletype) {
 }
 
 TEST_F(RunDevices, KeyboardScript) {
-  // KSF, JMP .-1, KRB, SAD 111, HLT, TLS, TSF, JMP .-1, JMP 100; 111: what carriage return comes as.
+  // KSF, JMP .-1, KRB, SAD 111, HLT, TLS, TSF, JMP .-1, JMP 100; 111: the code of carriage return.
   write("echo.oct", "00100: 700301 600100 700312 540111 740040 700406 700401 600106 600100 000215\n");
   write("keys.txt", "# greets\n0.2 Hi \\101\n1.5 \\r\n");
   ASSERT_EQ(run({"--load", "echo.oct", "--start", "100", "--keyboard", "keys.txt", "--teletype", "typed"})
@@ -173,10 +174,11 @@ TEST_F(RunDevices, KeyboardScript) {
   EXPECT_TRUE(has(bad.err, "keys.txt:1: error:")) << bad.err;
 }
 
-// Starts the display at 110, waits for IDSP, IDRC, HLT. The file: pen on, scale 0, intensity 7; y 400; x 144,
-// dark; a vector of 177 to the right, lit; stop. Every pulse of that vector moves one point to the right. The
-// pen at (151, 256) sees 147 first; the flag comes with the next pulse, at 148 = 2 * 112 octal; 256 = 2 *
-// 200.
+// Starts the display at 110, waits for IDSP, IDRC, HLT. The file: pen on, scale 0, intensity 7; y 400; x 144, dark; a vector of
+// 177
+// to the right, lit; stop. Every pulse of that vector moves one point to the right. The pen at (151, 256) first sees 147; the
+// flag
+// comes with the next pulse, at 148 = 2 * 112 octal; 256 = 2 * 200.
 TEST_F(RunDevices, LightPenFindsAVector) {
   write("find.oct",
         "00100: 200107 700606 700701 600102 700712 740040\n"
@@ -193,12 +195,12 @@ TEST_F(RunDevices, LightPenFindsAVector) {
   EXPECT_EQ(ac("# below and above by one point more than the radius\n0 151 251\n"), "not found");
   EXPECT_EQ(ac("0 151 261\n"), "not found");
   EXPECT_EQ(ac("0 151 260\n"), "112200");
-  EXPECT_EQ(ac("0 0 0 1023\n"), "063200");  // sees 101, stands at 102
+  EXPECT_EQ(ac("0 0 0 1023\n"), "063200");  // sees 101, is at 102
   EXPECT_EQ(ac("0 151 256\n0 off\n"), "not found");
   EXPECT_EQ(ac(""), "not found");
 }
 
-// A lit point: the flag comes with the word after it, the beam has not moved. X 600, Y 400 octal.
+// A lit point: the flag comes with the word after it, before the beam moves. X 600, Y 400 octal.
 TEST_F(RunDevices, LightPenFindsAPoint) {
   write("point.oct",
         "00100: 200107 700606 700701 600102 700712 740040\n"
@@ -214,7 +216,7 @@ TEST_F(RunDevices, LightPenFindsAPoint) {
   EXPECT_EQ(report(far).at("stop_reason"), "time_limit");
 }
 
-// The picture above shown again and again: IDSP, SKP, JMP found, IDSI, JMP 102, JMP 100; found: IDRC, HLT.
+// The picture above, repeated: IDSP, SKP, JMP found, IDSI, JMP 102, JMP 100; found: IDRC, HLT.
 TEST_F(RunDevices, LightPenIsPointedInTime) {
   write("again.oct",
         "00100: 200112 700606 700701 741000 600110 700601 600102 600100 700712 740040\n"

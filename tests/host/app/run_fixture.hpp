@@ -1,4 +1,4 @@
-// What the tests of `sightline run pdp7` share: small programs, and runs that hand back their report.
+// Shared by the tests of `sightline run pdp7`: small programs, and runs that return their report.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -15,11 +15,12 @@ class RunPdp7 : public CommandLine {
   static constexpr const char* add = "00100: 200103 340104 740040 000003 000005\n";
   // JMP .
   static constexpr const char* forever = "00100: 600100\n";
-  // Starts the display at 106 and waits for its stop interrupt, again and again. The file: scale 0, intensity
-  // 7; y 400; x 400, lit; a vector of 100 to the right, lit, then mode 0; stop and interrupt.
+  // Starts the display at 106 and waits for its stop interrupt, repeatedly. The file: scale 0, intensity 7; y 400; x 400, lit; a
+  // vector
+  // of 100 to the right, lit, then mode 0; stop and interrupt.
   static constexpr const char* picture =
       "00100: 200105 700606 700601 600102 600100 000106 020117 220400 102400 600100 003000\n";
-  // The same without a stop: modes 0 and 0 again, from 106 round through all of core.
+  // The same without a stop: mode 0 words from 106 on, around all of core.
   static constexpr const char* endless =
       "00100: 200105 700606 600102\n00105: 000106 020117 220400 102400 600100\n";
 

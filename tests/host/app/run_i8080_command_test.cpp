@@ -1,5 +1,4 @@
-// `sightline run i8080`: reports and files, CP/M programs on standard output, devices, every kind of bad
-// input.
+// `sightline run i8080`: reports and files, CP/M programs on standard output, devices, every kind of bad input.
 //
 // Programs are given as bytes; expected T-states are sums over opcode-timing.csv.
 #include <sys/stat.h>
@@ -103,7 +102,7 @@ TEST_F(RunI8080Command, AComFileWithoutCpmIsWarnedAbout) {
   EXPECT_EQ(run({"hello.bin@100", "--start", "100", "--max-instructions", "3"}).err, "");
 }
 
-// As on the PDP-7. INR A; INX H; MOV M,A; PUSH PSW; JMP 0.
+// Like the test of the PDP-7. INR A; INX H; MOV M,A; PUSH PSW; JMP 0.
 TEST_F(RunI8080Command, ADumpContinuesTheRun) {
   write("loop.bin", "\x3C\x23\x77\xF5\xC3\x00\x00"sv);
   const Arguments start{"loop.bin", "--set", "SP=F000", "--set", "H=80", "--set", "INTE=1"};
@@ -135,7 +134,7 @@ TEST_F(RunI8080Command, IntelHexByEndingOrContent) {
   }
 }
 
-TEST_F(RunI8080Command, TextIsIntelHexOnlyIfItBeginsAsARecordDoes) {
+TEST_F(RunI8080Command, TextIsIntelHexOnlyIfItBeginsWithARecord) {
   // LDA 0000; MVI A,5; HLT: 13 + 7 + 7.
   write("colon", ":\x00\x00\x3E\x05\x76"sv);
   EXPECT_EQ(report({"--load", "colon"}).at("t_states"), 27);
@@ -151,7 +150,7 @@ TEST_F(RunI8080Command, AProgramMayComeThroughAPipe) {
   EXPECT_EQ(ran.out, "Hello\r\n");
 }
 
-TEST_F(RunI8080Command, TheReportsConsoleHasABound) {
+TEST_F(RunI8080Command, TheConsoleInTheReportIsBounded) {
   NEEDS_OPTIMISED_CODE();
   // LXI H,280; MVI C,9; LXI D,0118; CALL 5; DCX H; MOV A,H; ORA L; JNZ 0103; HLT; 65000 characters.
   std::string program("\x21\x18\x01\x0E\x09\x11\x18\x01\xCD\x05\x00\x2B\x7C\xB5\xC2\x03\x01\x76"sv);
@@ -163,7 +162,7 @@ TEST_F(RunI8080Command, TheReportsConsoleHasABound) {
   EXPECT_EQ(json::parse(ran.out).at("console").get<std::string>().size(), std::size_t{1} << 24);
 }
 
-TEST_F(RunI8080Command, ARunEndsWhenNobodyTakesWhatItPrints) {
+TEST_F(RunI8080Command, ARunEndsWhenItsOutputIsClosed) {
   // LXI H,0; MVI C,2; CALL 5; DCX H; MOV A,H; ORA L; JNZ 0103; HLT: HL counts the characters.
   write("loud.com", "\x21\x00\x00\x0E\x02\xCD\x05\x00\x2B\x7C\xB5\xC2\x03\x01\x76"sv);
   send_stdout_to("/dev/full");

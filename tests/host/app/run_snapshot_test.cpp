@@ -10,7 +10,7 @@ namespace {
 
 class RunSnapshot : public RunPdp7 {
  protected:
-  // What follows the first `lines` lines.
+  // The text after its first `lines` lines.
   static std::string after_lines(const std::string& text, std::size_t lines) {
     std::size_t at = 0;
     for (; lines > 0 && at != std::string::npos; --lines) at = text.find('\n', at) + 1;
@@ -40,8 +40,7 @@ TEST_F(RunSnapshot, ContinuesTheRun) {
   EXPECT_EQ(rest.at("instructions"), 1500);
   EXPECT_EQ(rest.at("restored_from"), "a.snap");
   EXPECT_FALSE(rest.contains("saved_to"));
-  // Limits of time count from the snapshot, too; registers can be set; a snapshot can be saved over itself,
-  // and be piped.
+  // Time limits count from the snapshot, too; registers can be set; a snapshot can be saved over itself and be piped.
   EXPECT_EQ(report({"--restore", "a.snap", "--display", "--max-time", "0"}).at("instructions"), 471);
   EXPECT_EQ(report({"--restore", "a.snap", "--display", "--max-instructions", "0", "--set", "AC=17"})
                 .at("registers")
@@ -57,7 +56,7 @@ TEST_F(RunSnapshot, ContinuesTheRun) {
   EXPECT_EQ(read("d3"), read("d"));
 }
 
-// Whether the display is plugged in is state: a machine is restored with it or without, whichever way it was asked for.
+// The connected display is part of the state: a machine is restored with or without it, however it was requested.
 TEST_F(RunSnapshot, HasTheDisplayIfTheProgramHasUsedIt) {
   write("picture.oct", picture);
   for (const char* const before : {"1", "100"}) {
@@ -91,7 +90,7 @@ TEST_F(RunSnapshot, ContinuesAn8080) {
   EXPECT_EQ(read("c"), read("c1") + read("c2"));
 }
 
-TEST_F(RunSnapshot, RefusesWhatContradictsIt) {
+TEST_F(RunSnapshot, RejectsContradictoryOptions) {
   write("add.oct", add);
   ASSERT_EQ(run({"add.oct", "--start", "100", "--save", "a.snap"}).exit_code, 0);
   const auto refused = [this](Arguments options, int exit_code, std::string_view message) {

@@ -1,4 +1,4 @@
-// `sightline scene`: tape, check, info, list; scenes that are wrong are named with file, place and cause.
+// `sightline scene`: tape, check, info, list; errors in scenes name file, position and cause.
 #include <nlohmann/json.hpp>
 
 #include "tests/host/app/command_line.hpp"
@@ -106,7 +106,7 @@ TEST_F(SceneCommand, AnOpeningThatIsNotShared) {
   EXPECT_TRUE(has(swapped.err, "opening 0")) << swapped.err;
 }
 
-TEST_F(SceneCommand, FilesThatAreNoScenes) {
+TEST_F(SceneCommand, FilesThatAreNotScenes) {
   write("cut.json", house().dump().substr(0, 200));
   write("list.json", "[]");
   write("empty.json", "");

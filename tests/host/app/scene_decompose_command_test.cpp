@@ -1,4 +1,4 @@
-// `sightline scene decompose`: counts, the file of cells, methods, and what is refused.
+// `sightline scene decompose`: counts, the file of cells, methods, and errors.
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -42,7 +42,7 @@ TEST_F(SceneDecomposeCommand, CellsAreDrawnWithoutTheScene) {
   }
   json cells = json::parse(read("b.cells.json"));
   cells["openings"][0]["plane"] = 1'000'000;
-  // The schema first, by which the file is known.
+  // The schema comes first: the format is recognised by it.
   std::string text = cells.dump();
   write("bad.cells.json", "{\"schema\":\"sightline/cell-complex/2\"," + text.substr(1));
   const Ran bad = sightline({"draw", "jones", "bad.cells.json", "-o", "x.svg"});
@@ -62,7 +62,7 @@ TEST_F(SceneDecomposeCommand, InfoKnowsTheFile) {
     EXPECT_EQ(info.at(same), counts.at(same)) << same;
   EXPECT_EQ(info.at("cell_lines"), counts.at("lines"));
   EXPECT_EQ(info.at("outer"), json::parse(read("b.cells.json")).at("outer"));
-  // All that is said of the scene itself.
+  // Everything reported about the scene itself.
   const json scene = json::parse(sightline({"scene", "info", "--json", "boxes-5"}).out);
   for (const char* same :
        {"name", "vertices", "edges", "faces", "holes", "bodies", "sheets", "bounds", "step"})
@@ -75,19 +75,19 @@ TEST_F(SceneDecomposeCommand, InfoKnowsTheFile) {
                                       info.at("openings_outside").dump() + " of them",
                                   std::string("outer box      x ")})
     EXPECT_TRUE(has(text, part)) << part << '\n' << text;
-  // It is a scene for all others, too.
+  // It is also a scene for all other commands.
   EXPECT_EQ(sightline({"scene", "convert", "b.cells.json"}).out,
             sightline({"scene", "convert", "boxes-5"}).out);
 }
 
-TEST_F(SceneDecomposeCommand, CheckNamesEverythingThatIsWrong) {
+TEST_F(SceneDecomposeCommand, CheckNamesEveryError) {
   ASSERT_EQ(sightline({"scene", "decompose", "boxes-5", "-o", "b.cells.json"}).exit_code, 0);
   const Ran good = sightline({"scene", "check", "b.cells.json"});
   EXPECT_EQ(good.exit_code, 0) << good.err;
   EXPECT_EQ(good.out, "b.cells.json: a possible scene\n");
   const auto written = json::parse(read("b.cells.json"));
   const auto check = [this](json changed) {
-    // The schema first, by which the file is known.
+    // The schema comes first: the format is recognised by it.
     changed.erase("schema");
     write("bad.cells.json", "{\"schema\":\"sightline/cell-complex/2\"," + changed.dump().substr(1));
     const Ran ran = sightline({"scene", "check", "--json", "bad.cells.json"});
@@ -111,14 +111,14 @@ TEST_F(SceneDecomposeCommand, CheckNamesEverythingThatIsWrong) {
   json turned = written;
   for (const std::size_t opening : {0U, 1U})
     std::swap(turned["openings"][opening]["cells"][0], turned["openings"][opening]["cells"][1]);
-  EXPECT_EQ(check(turned).size(), 4U);  // of either cell
+  EXPECT_EQ(check(turned).size(), 4U);  // one for each cell
   EXPECT_EQ(check(turned)[3].at("place"), "opening 1");
   json scene = written;
   for (const std::size_t vertex : {0U, 9U}) {
     json& x = scene["polyhedra"]["vertices"][vertex][0];
     x = x.get<int>() + 1;
   }
-  EXPECT_EQ(check(scene).size(), 2U);  // faces that are not planar any more
+  EXPECT_EQ(check(scene).size(), 2U);  // faces that are no longer planar
   EXPECT_EQ(check(scene)[1].at("place"), "polyhedra: body 1 \"box 1\", face 0");
   json eye = written;
   eye["polyhedra"]["camera"]["eye"] = written["polyhedra"]["vertices"][0];

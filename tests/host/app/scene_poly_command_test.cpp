@@ -1,4 +1,4 @@
-// `sightline scene` with polyhedra: generate, convert, check, info; files that are wrong are named.
+// `sightline scene` with polyhedra: generate, convert, check, info; errors in files.
 #include <sys/stat.h>
 
 #include <nlohmann/json.hpp>
@@ -41,10 +41,10 @@ TEST_F(ScenePolyCommand, RoundingIsReported) {
   EXPECT_TRUE(has(check.err, "rounded to a step of")) << check.err;
   write("f.off", "OFF\n3 1 0\n0 0 0.25\n1 0 0\n0 1 0\n3 0 1 2\n");
   const Ran exact = sightline({"scene", "check", "f.off"});
-  EXPECT_EQ(exact.err, "") << "multiples of 0.01 are counted as they are";
+  EXPECT_EQ(exact.err, "") << "multiples of 0.01 are exact";
 }
 
-TEST_F(ScenePolyCommand, AFormatIsToldByTheTextWhereTheNameDoesNot) {
+TEST_F(ScenePolyCommand, AFormatIsRecognisedByItsTextIfTheNameHasNoKnownEnding) {
   write("off.txt", "# a triangle\n\nOFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   write("obj.txt", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   for (const char* file : {"off.txt", "obj.txt"}) {
@@ -60,7 +60,7 @@ TEST_F(ScenePolyCommand, AFormatIsToldByTheTextWhereTheNameDoesNot) {
   EXPECT_TRUE(has(sightline({"scene", "info", "nothing.txt"}).err, "nothing.txt: found no known format, expected STL"));
 }
 
-TEST_F(ScenePolyCommand, WhatIsWrongIsNamedAndNothingWritten) {
+TEST_F(ScenePolyCommand, ErrorsAreNamedAndNothingIsWritten) {
   write("twisted.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 1\n0 1 0\n4 0 1 2 3\n");
   const Ran check = sightline({"scene", "check", "twisted.off"});
   EXPECT_EQ(check.exit_code, 4);
@@ -126,7 +126,7 @@ TEST_F(ScenePolyCommand, ABoxWrittenInManyWays) {
 
 const std::string drawing_data = std::string(SIGHTLINE_TEST_DATA) + "/drawing/";
 
-// A cube one side of which has a vertex on the edge of another face: nine edges are seen, each 10 sqrt(2/3) long.
+// A cube with a vertex of one side on the edge of another face: nine edges are visible, each 10 sqrt(2/3) long.
 TEST_F(ScenePolyCommand, AVertexOnAnEdgeOfAnotherFace) {
   const std::string cube = drawing_data + "t-vertex-cube.obj";
   const Ran info = sightline({"scene", "info", cube});
@@ -159,7 +159,7 @@ TEST_F(ScenePolyCommand, FarFromTheOriginIsDrawnAsNearIt) {
   EXPECT_TRUE(has(inside.err, "the eye 500123456,5412345678,310280 is inside this solid")) << inside.err;
 }
 
-TEST_F(ScenePolyCommand, AnOpenPartNamesTheDistanceThatClosesIt) {
+TEST_F(ScenePolyCommand, TheErrorForAnOpenPartNamesTheDistanceThatClosesIt) {
   write("gap.off", "OFF\n7 4 0\n0 0 0\n10 0 0\n0 10 0\n0 0 10\n0.03 0 0\n10 0 0.02\n0 0.01 10\n3 0 2 1\n3 4 5 6\n3 1 2 3\n3 0 3 2\n");
   const Ran ran = sightline({"scene", "info", "gap.off"});
   EXPECT_TRUE(has(ran.err, "sightline: warning: 2 parts are open; --weld 0.05 closes them\n")) << ran.err;

@@ -1,5 +1,4 @@
-// `sightline skala`: pictures, figures, and what is said when
-// something is wrong.
+// `sightline skala`: pictures, figures, and errors.
 #include <nlohmann/json.hpp>
 
 #include "host/picture/png.hpp"
@@ -37,7 +36,7 @@ class SkalaCommand : public sightline::test::CommandLine {
   }
 };
 
-TEST_F(SkalaCommand, WritesAPictureAndSaysWhatItCost) {
+TEST_F(SkalaCommand, WritesAPictureAndReportsTheCost) {
   const Ran ran = sightline({"skala", "lines", "sinc", "-o", "pictures"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   for (const char* line :
@@ -53,8 +52,8 @@ TEST_F(SkalaCommand, WritesAPictureAndSaysWhatItCost) {
   EXPECT_EQ(picture.channels, 3);
 }
 
-// The paper's figures are of drawings on a raster display with hidden parts removed: "all mentioned algorithms", conclusion.
-TEST_F(SkalaCommand, ThePapersFiguresAreOfRastersWithoutHiddenParts) {
+// The paper's figures are for drawings on a raster display without hidden parts: "all mentioned algorithms", conclusion.
+TEST_F(SkalaCommand, ThePapersFiguresAreForRastersWithoutHiddenParts) {
   for (const char* picture : {"lines", "surface", "contours"})
     EXPECT_TRUE(has(sightline({"skala", picture, "sinc", "--slices", "20"}).out, "(the paper: about 2 s)")) << picture;
   const std::vector<Arguments> others{{"skala", "lines", "sinc", "--no-visibility"},
@@ -98,7 +97,7 @@ TEST_F(SkalaCommand, SurfacesAreGreyUnlessAskedOtherwise) {
   EXPECT_EQ(image("colour/saddle.png").width, 512);
 }
 
-TEST_F(SkalaCommand, WithoutVisibilityThereIsMoreToSee) {
+TEST_F(SkalaCommand, WithoutVisibilityMoreIsDrawn) {
   const json with = report({"lines", "peaks", "-o", "with"});
   const json without = report({"lines", "peaks", "--no-visibility", "-o", "without"});
   EXPECT_GT(without.at("points_lit").get<int>(), with.at("points_lit").get<int>());
@@ -108,7 +107,7 @@ TEST_F(SkalaCommand, WithoutVisibilityThereIsMoreToSee) {
               100 * (with.at("t_states").get<double>() / without.at("t_states").get<double>() - 1), 1e-6);
 }
 
-TEST_F(SkalaCommand, PlottersLeaveDrawings) {
+TEST_F(SkalaCommand, PlottersWriteDrawings) {
   for (const char* device : {"calcomp", "minigraf"}) {
     const json r = report({"lines", "franke", "--slices", "12", "--device", device, "-o", device});
     EXPECT_GT(r.at("plotter").at("seconds").get<double>(), 5.0);
@@ -123,7 +122,7 @@ TEST_F(SkalaCommand, PlottersLeaveDrawings) {
 }
 
 // A set of files is all or nothing.
-TEST_F(SkalaCommand, WhereOneFileCannotBeNoneIs) {
+TEST_F(SkalaCommand, IfOneFileCannotBeWrittenNoneIs) {
   std::filesystem::create_directories(path("p/franke.hpgl"));
   const Ran ran = sightline({"skala", "lines", "franke", "--slices", "5", "--device", "calcomp", "-o", "p"});
   EXPECT_EQ(ran.exit_code, 5);
@@ -133,8 +132,8 @@ TEST_F(SkalaCommand, WhereOneFileCannotBeNoneIs) {
     EXPECT_FALSE(exists(name)) << name;
 }
 
-// Which the program does once whatever there is.
-TEST_F(SkalaCommand, LookingForABoardIsNoFinding) {
+// The program always looks for the board once.
+TEST_F(SkalaCommand, TheSearchForABoardIsNotReported) {
   for (const char* device : {"alt256", "calcomp", "minigraf"}) {
     const Ran ran = sightline({"skala", "lines", "sinc", "--slices", "3", "--device", device});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
@@ -142,7 +141,7 @@ TEST_F(SkalaCommand, LookingForABoardIsNoFinding) {
   }
 }
 
-TEST_F(SkalaCommand, BothFamiliesMatterToLinesOnly) {
+TEST_F(SkalaCommand, BothFamiliesAffectLinesOnly) {
   for (const char* picture : {"surface", "contours"}) {
     report({picture, "peaks", "--slices", "9", "--points", "9", "-o", "one"});
     report({picture, "peaks", "--slices", "9", "--points", "9", "--both", "-o", "both"});
@@ -225,15 +224,15 @@ TEST_F(SkalaCommand, OptionsOutOfRange) {
   expect_failure({"spheres"}, 2, "lines, surface, contours");
 }
 
-// The Minigraf is stepped by the program's own waiting, which a faster processor cuts short.
-TEST_F(SkalaCommand, AClockTheProgramIsNotTimedFor) {
+// The program's own delay loops time the Minigraf's steps; a faster processor shortens them.
+TEST_F(SkalaCommand, AClockThatThePlotterProgramDoesNotExpect) {
   expect_failure({"lines", "sinc", "--slices", "5", "--device", "minigraf", "--clock", "6000000"}, 3,
                  "made for a clock of 3 MHz");
   expect_failure({"lines", "sinc", "--slices", "5", "--link", "serial", "--clock", "100000"}, 3,
                  "serial link; its timing is made for a clock of 3 MHz");
 }
 
-// A folder's name need not be UTF-8, which JSON must be.
+// A folder's name need not be UTF-8, but JSON must be.
 TEST_F(SkalaCommand, HelpTeaches) {
   const Ran ran = sightline({"skala", "--help"});
   EXPECT_EQ(ran.exit_code, 0);

@@ -1,5 +1,4 @@
-// `sightline spin` and `sightline draw plantinga`: pictures, event files kept and found again, and what a
-// user gets wrong.
+// `sightline spin` and `sightline draw plantinga`: pictures, event files saved and reused, and usage errors.
 #include <array>
 #include <cstddef>
 #include <sstream>
@@ -12,7 +11,7 @@ using sightline::test::has;
 
 class SpinCommand : public sightline::test::CommandLine {
  protected:
-  // A tetrahedron before another.
+  // A tetrahedron in front of another.
   void write_models() const {
     write("two.off",
           "OFF\n8 8 0\n0 0 0\n9 1 0\n4 8 1\n3 2 9\n20 -3 1\n31 0 2\n24 7 3\n25 1 12\n"
@@ -40,11 +39,12 @@ TEST_F(SpinCommand, WritesAnAnimatedPicture) {
   ASSERT_EQ(
       sightline({"spin", "two.off", "--step", "30", "--size", "64", "--wire", "-o", "wire.apng"}).exit_code,
       0);
-  EXPECT_NE(read("wire.apng"), read("two.apng")) << "what is hidden shows in the wire frame";
+  EXPECT_NE(read("wire.apng"), read("two.apng")) << "the wire frame shows hidden lines";
 }
 
-// A model that stands on another axis turns as the one that stands on y: the columns say where the x, y and z
-// of that one are in the file, the signs which way.
+// A model with another vertical axis turns like the model with a vertical y axis: the columns give the positions of that model's
+// x, y
+// and z in the file, the signs their directions.
 TEST_F(SpinCommand, TurnsAboutTheAxisThatPointsUp) {
   write_models();
   const sightline::test::Arguments sizes{"--step", "90", "--size", "64"};
@@ -83,7 +83,7 @@ TEST_F(SpinCommand, TurnsAboutTheAxisThatPointsUp) {
   }
 }
 
-TEST_F(SpinCommand, KeepsEventsAndFindsThemAgain) {
+TEST_F(SpinCommand, SavesAndReusesEvents) {
   write_models();
   const sightline::test::Arguments spin{"spin", "two.off", "--events", "two.events", "--size",
                                         "64",   "--step",  "45",       "-o",         "a.apng"};
@@ -99,7 +99,7 @@ TEST_F(SpinCommand, KeepsEventsAndFindsThemAgain) {
   EXPECT_EQ(again.out, made.out);
 }
 
-TEST_F(SpinCommand, RefusesEventFilesThatDoNotFit) {
+TEST_F(SpinCommand, RejectsEventFilesThatDoNotMatch) {
   write_models();
   ASSERT_EQ(
       sightline({"spin", "two.off", "--events", "two.events", "--step", "90", "-o", "a.apng"}).exit_code, 0);
@@ -126,7 +126,7 @@ TEST_F(SpinCommand, RefusesEventFilesThatDoNotFit) {
   refused(flipped, {}, "two.off");
 }
 
-TEST_F(SpinCommand, NamesWhatIsWrong) {
+TEST_F(SpinCommand, NamesTheErrors) {
   write_models();
   write("bad.off", "OFF\n1\n");
   struct Case {
@@ -151,7 +151,7 @@ TEST_F(SpinCommand, NamesWhatIsWrong) {
   }
 }
 
-TEST_F(SpinCommand, DrawsOneViewAndSaysWhichItCannot) {
+TEST_F(SpinCommand, DrawsOneViewAndRejectsOthers) {
   write_models();
   const auto drawn =
       sightline({"draw", "plantinga", "two.off", "--orthographic", "-3,0,-10", "-o", "two.svg"});

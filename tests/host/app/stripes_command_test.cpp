@@ -31,7 +31,7 @@ TEST_F(StripesCommand, DrawsLinesOnThePlotter) {
     EXPECT_TRUE(exists(file)) << file;
 }
 
-TEST_F(StripesCommand, SaysItInJson) {
+TEST_F(StripesCommand, WritesJson) {
   const Ran ran = sightline({"stripes", "roberts", "--stripes", "host", "--json", "-o", "p"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   const json document = json::parse(ran.out);
@@ -43,13 +43,13 @@ TEST_F(StripesCommand, SaysItInJson) {
   EXPECT_EQ(document.at("priority_by"), "8080");
   EXPECT_EQ(document.at("plotter_seconds"), 0);
   EXPECT_LE(document.at("program_bytes").get<int>(), 4096);
-  // Pairs of 10 faces.
+  // Pairs of the 10 faces.
   int pairs = 0;
   for (const json& count : document.at("pairs_decided_by_test")) pairs += count.get<int>();
   EXPECT_EQ(pairs, 45);
 }
 
-TEST_F(StripesCommand, SaysWhatDoesNotFit) {
+TEST_F(StripesCommand, ReportsScenesThatDoNotFit) {
   const Ran ran = sightline({"stripes", "boxes-30"});
   EXPECT_EQ(ran.exit_code, 4);
   EXPECT_TRUE(has(ran.err, "boxes-30: faces: 90 faces are turned to the eye, 26 too many, expected at most 64 for the 8080")) << ran.err;

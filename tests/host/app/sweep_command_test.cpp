@@ -1,5 +1,5 @@
-// `sightline sweep`: shards that are the whole, interruptions, threads, and what a user gets wrong. With GNU
-// parallel where it is installed (tools/dev installs it).
+// `sightline sweep`: shards that together equal the whole, interruptions, threads, and usage errors; with GNU parallel if it is
+// installed (tools/dev installs it).
 #include <sys/file.h>
 
 #include <sstream>
@@ -28,7 +28,7 @@ class SweepCommand : public sightline::test::CommandLine {
   }
 };
 
-TEST_F(SweepCommand, ALineAViewWhateverTheThreads) {
+TEST_F(SweepCommand, OneLinePerViewForAnyNumberOfThreads) {
   const auto ran = sightline(sweep({"--jobs", "1"}));
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   EXPECT_TRUE(has(ran.err, "exact               lines          20      20           0, exact")) << ran.err;
@@ -42,12 +42,12 @@ TEST_F(SweepCommand, ALineAViewWhateverTheThreads) {
   EXPECT_NE(sightline(sweep({"--seed", "2"})).out, ran.out);
 }
 
-TEST_F(SweepCommand, ShardsOneAfterTheOtherAreTheWhole) {
+TEST_F(SweepCommand, ConsecutiveShardsEqualTheWhole) {
   std::string joined;
   for (const char* shard : {"1/3", "2/3", "3/3"}) joined += sightline(sweep({"--shard", shard})).out;
   const auto one = sightline(sweep({"--jobs", "1"}));
   EXPECT_EQ(joined, one.out);
-  // All lines in one file have the table of one run, and nothing is computed again.
+  // All lines in one file give the table of one run, and nothing is computed again.
   write("all.jsonl", joined);
   const auto all = sightline(sweep({"-o", "all.jsonl"}));
   EXPECT_EQ(all.exit_code, 0) << all.err;
@@ -55,8 +55,8 @@ TEST_F(SweepCommand, ShardsOneAfterTheOtherAreTheWhole) {
   EXPECT_EQ(read("all.jsonl"), joined);
 }
 
-// The table of a guest has numbers to lose; its command shows the view that it names, with the same measures.
-TEST_F(SweepCommand, TheWorstViewIsShownByItsCommand) {
+// The table of a guest must keep all its numbers; the command that it prints shows the named view with the same measures.
+TEST_F(SweepCommand, TheCommandOfTheWorstViewShowsIt) {
   const Arguments command{"sweep", "house", "--views", "6", "--algorithm", "jones-twin", "-o", "s.jsonl"};
   const auto ran = sightline(command);
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
@@ -94,11 +94,11 @@ TEST_F(SweepCommand, AFunctionBySkalasProgram) {
   expect_error({"sweep", "sinc", "--views", "2", "--faces"}, 2, "--faces: found sinc, expected a scene");
 }
 
-TEST_F(SweepCommand, GoesOnWhereItWasInterrupted) {
+TEST_F(SweepCommand, ResumesAnInterruptedSweep) {
   const std::string all = whole();
   std::size_t middle = 0;
   for (int i = 0; i < 7; ++i) middle = all.find('\n', middle) + 1;
-  // Whole lines; a torn one; no line at all.
+  // Complete lines; a truncated line; no complete line.
   for (const std::size_t length : {middle, middle + 40, std::size_t{11}, std::size_t{0}, all.size()}) {
     write("s.jsonl", all.substr(0, length));
     EXPECT_EQ(sightline(sweep({"-o", "s.jsonl"})).exit_code, 0);
@@ -106,7 +106,7 @@ TEST_F(SweepCommand, GoesOnWhereItWasInterrupted) {
   }
 }
 
-TEST_F(SweepCommand, AStrangersFileIsLeftAlone) {
+TEST_F(SweepCommand, AForeignFileIsNotOverwritten) {
   const std::string all = whole();
   const std::string first = all.substr(0, all.find('\n') + 1);
   for (const std::string& text : {std::string("my notes\n"), first + first, all + "more\n"}) {
@@ -126,7 +126,7 @@ TEST_F(SweepCommand, OneSweepAtATimeWritesAFile) {
   close(file);
 }
 
-TEST_F(SweepCommand, InterruptedAndGoneOnWith) {
+TEST_F(SweepCommand, InterruptedAndResumed) {
   const Arguments many{"sweep", "boxes-4", "--views", "1000000", "--algorithm", "oracle", "-o", "s.jsonl"};
   const auto ran = sightline(many, "", std::chrono::milliseconds(1500));
   EXPECT_EQ(ran.exit_code, 130) << ran.err;
@@ -142,7 +142,7 @@ TEST_F(SweepCommand, TheGuestOfASceneOfCells) {
   expect_error({"sweep", "boxes-4", "--views", "2", "--guest"}, 2, "--guest");
 }
 
-TEST_F(SweepCommand, TurnedShardsAreTheWhole) {
+TEST_F(SweepCommand, ShardsOfATurnEqualTheWhole) {
   const auto turned = [&](const char* shard) {
     const auto ran = sightline({"sweep", "house", "--views", "8", "--turn", "--shard", shard});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
@@ -176,7 +176,7 @@ TEST_F(SweepCommand, SpreadByGnuParallel) {
   if (std::system("parallel --version > /dev/null 2>&1") != 0)
     GTEST_SKIP() << "GNU parallel is not installed";
   const std::string all = whole();
-  // Kept in order by parallel; then as files, put together by their names.
+  // In the order that parallel keeps; then as files, concatenated by name.
   const auto spread = [&](const std::string& options, const std::string& output) {
     return std::system(("cd '" + path("").string() + "' && parallel --will-cite -j3 " + options + " '" +
                         sightline::test::command_of_this_build() +

@@ -25,7 +25,7 @@ TEST_F(TurnCommand, WritesItsPicturesAndItsTable) {
   for (const char* file : {"p/cube-turn.apng", "p/cube-turn-phosphor.png", "p/cube-turn.strokes"}) EXPECT_TRUE(exists(file)) << file;
 }
 
-// Tilted, coordinates are 13 times as large and below 2^18 steps, here of 0.1: 2016.49 in the unit of the file.
+// When tilted, coordinates are 13 times as large and must stay below 2^18 steps, here of 0.1: 2016.49 units of the file.
 TEST_F(TurnCommand, AModelThatIsTooLargeToBeTilted) {
   write("large.off",
         "OFF\n8 6 0\n0 0 0\n5000.1 0 0\n5000.1 9 0\n0 9 0\n0 0 9\n5000.1 0 9\n5000.1 9 9\n0 9 9\n"
@@ -35,7 +35,7 @@ TEST_F(TurnCommand, AModelThatIsTooLargeToBeTilted) {
   EXPECT_TRUE(has(ran.err, "vertex 0,0,0 is 2500 from the middle of the model along x, tilted, expected less than 2016.49")) << ran.err;
 }
 
-TEST_F(TurnCommand, SaysItInJson) {
+TEST_F(TurnCommand, WritesJson) {
   const Ran ran = sightline({"turn", models + "block.off", "--no-eae", "--frames", "6", "--json", "-o", "p"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   const json document = json::parse(ran.out);
@@ -55,7 +55,7 @@ TEST_F(TurnCommand, TheCheckAddsNothing) {
   EXPECT_EQ(checked.out, plain.out);
 }
 
-TEST_F(TurnCommand, SaysByHowManyWordsAModelDoesNotFit) {
+TEST_F(TurnCommand, ReportsTheExcessWordsOfAModel) {
   const Ran ran = sightline({"turn", std::string(SIGHTLINE_SOURCE_DIR) + "/tests/data/models/grid.off", "--level"});
   EXPECT_EQ(ran.exit_code, 4);
   EXPECT_TRUE(has(ran.err, "words too many for 8K of core beside the program")) << ran.err;

@@ -1,4 +1,4 @@
-// `sightline draw willis`: pictures, plans, flights, what could not be separated, and what a user gets wrong.
+// `sightline draw willis`: pictures, plans, flights, inseparable faces, and usage errors.
 #include <cstddef>
 #include <cstdint>
 #include <nlohmann/json.hpp>
@@ -13,7 +13,7 @@ using nlohmann::json;
 using sightline::test::Arguments;
 using sightline::test::has;
 
-// Two sheets that touch along an edge, one turned out of the other's plane; a third one far behind.
+// Two sheets that touch along an edge, one turned out of the other's plane; a third sheet far behind them.
 constexpr std::string_view walls = R"({"vertices":
   [[0,-10,0],[0,10,0],[10,10,0],[10,-10,0],[20,10,5],[20,-10,5],[-90,-10,90],[-90,10,90],[90,10,90],[90,-10,90]],
   "bodies": [{"sheet": true, "faces": [[0,1,2,3]]}, {"sheet": true, "faces": [[3,2,4,5]]},
@@ -33,7 +33,7 @@ class WillisCommand : public sightline::test::CommandLine {
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     return ran.exit_code == 0 ? json::parse(ran.out) : json();
   }
-  // Different colours.
+  // The number of different colours.
   std::set<std::uint32_t> colours(const std::string& file) {
     const auto png = sightline::picture::read_png(path(file).string());
     std::set<std::uint32_t> found;
@@ -90,9 +90,8 @@ TEST_F(WillisCommand, APlanNeedsFewerPieces) {
   expect_refused(4, "triangles-5", "t.png", {"--plan"}, "body 0 face 0");
 }
 
-// The vertical is the scene's, wherever the camera looks: this one looks at what stands on the ground from
-// among the roofs, more down than forward.
-TEST_F(WillisCommand, ThePlanAndTheFlightOfASteepLook) {
+// The vertical is the scene's, in any camera direction: this camera is among the roofs and looks more down than forward.
+TEST_F(WillisCommand, ThePlanAndTheFlightOfASteepView) {
   const Arguments steep{"--eye", "9973,701,-4001", "--look-at", "9973,-20000,9000"};
   Arguments plan = steep;
   plan.emplace_back("--plan");
@@ -101,8 +100,7 @@ TEST_F(WillisCommand, ThePlanAndTheFlightOfASteepLook) {
   expect_refused(4, "prisms-9", "t.png", {"--plan", "--eye", "9973,9701,-4001"},
                  "found y = 9701, expected 0 to ");
 
-  // The frames of a flight are level pictures: had it turned about another axis, it would have met the
-  // ground.
+  // The frames of a flight are level pictures: about another axis, the flight would have reached the ground.
   Arguments flight = steep;
   flight.insert(flight.end(), {"--frames", "6", "--pixels", "40x40"});
   EXPECT_EQ(draw("prisms-9", "level.apng", flight).exit_code, 0);
@@ -112,7 +110,7 @@ TEST_F(WillisCommand, ThePlanAndTheFlightOfASteepLook) {
   EXPECT_EQ(read("level.apng"), read("same.apng")) << "a flight looks at the middle of the scene";
 }
 
-TEST_F(WillisCommand, WhatIsLeftOverIsNamedAndDrawnAllTheSame) {
+TEST_F(WillisCommand, ResidualPairsAreNamedAndDrawnAllTheSame) {
   const auto uncut = draw("boxes-8", "c.png", {"--depth", "0", "--json"});
   EXPECT_EQ(uncut.exit_code, 0);
   EXPECT_TRUE(has(uncut.err,
@@ -134,7 +132,7 @@ TEST_F(WillisCommand, MoreThanTenPairsAreCounted) {
   EXPECT_TRUE(has(ran.err, "more pairs of faces that could not be separated")) << ran.err;
 }
 
-TEST_F(WillisCommand, TouchingWallsAreToldApartByOrderCells) {
+TEST_F(WillisCommand, TouchingWallsAreOrderedByOrderCells) {
   write("walls.json", walls);
   const json made = summary("walls.json", "w.png", {"--plan", "--field", "90", "--pixels", "64x64"});
   EXPECT_GT(made["model"]["order_cells"], 1);
@@ -150,7 +148,7 @@ TEST_F(WillisCommand, AFlightIsAnAnimatedPng) {
   const std::size_t control = file.find("acTL");
   ASSERT_NE(control, std::string::npos);
   EXPECT_EQ(file.substr(control + 4, 8), std::string("\0\0\0\7\0\0\0\0", 8))
-      << "seven frames, again and again";
+      << "seven frames, repeated";
   std::size_t frames = 0;
   for (std::size_t at = file.find("fcTL"); at != std::string::npos; at = file.find("fcTL", at + 1)) ++frames;
   EXPECT_EQ(frames, 7U);

@@ -13,7 +13,7 @@ namespace {
 
 using Answer = Result<std::string>;
 
-TEST(Apart, TheAnswerComesWhole) {
+TEST(Apart, TheAnswerIsComplete) {
   const std::string large(3'000'000, '\0');
   const auto answer = run_in_child([&]() -> Answer { return "x" + large; });
   ASSERT_TRUE(answer);

@@ -1,4 +1,4 @@
-// Files that are written completely or not at all, and what the errors of reading and writing say.
+// Files are written completely or not at all; the errors of reading and writing.
 #include "host/base/file.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace sightline::base {
 namespace {
 
-// A directory of its own for each test in the build tree, removed afterwards.
+// A separate directory for each test in the build tree, removed afterwards.
 class FileTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -55,7 +55,7 @@ TEST_F(FileTest, AppearsOnlyWhenComplete) {
   EXPECT_EQ(files(), 1);
 }
 
-TEST_F(FileTest, KeepsLinksAndLeftOvers) {
+TEST_F(FileTest, KeepsLinksAndLeftoverFiles) {
   ASSERT_TRUE(write_file_atomically(path("target"), std::string_view("old")));
   ASSERT_TRUE(write_file_atomically(path("link.partial"), std::string_view("somebody else's")));
   ASSERT_TRUE(write_file_atomically(path("target.partial"), std::string_view("somebody else's")));
@@ -66,8 +66,8 @@ TEST_F(FileTest, KeepsLinksAndLeftOvers) {
   EXPECT_EQ(tests::read_whole(path("target.partial")), "somebody else's");
 }
 
-// Such a link may lead anywhere: to a disk that is not mounted, or out of a folder that somebody else unpacked.
-TEST_F(FileTest, ALinkToNothingIsRefused) {
+// Such a link may lead anywhere: to a disk that is not mounted, or out of an unpacked archive of somebody else.
+TEST_F(FileTest, ADanglingLinkIsAnError) {
   std::filesystem::create_symlink(path("nothing"), path("link"));
   const auto written = write_file_atomically(path("link"), std::string_view("x"));
   ASSERT_FALSE(written);
@@ -90,7 +90,7 @@ TEST_F(FileTest, AFileThatIsReplacedKeepsItsPermissions) {
   EXPECT_EQ(status.st_mode & 07777U, 0640U);
 }
 
-// As a user who is not root: in a process of its own if the tests are run by root.
+// As a user other than root: in a separate process if root runs the tests.
 TEST_F(FileTest, AReadOnlyFileIsNotReplaced) {
   const std::string name = path("locked");
   ASSERT_TRUE(write_file_atomically(name, std::string_view("old")));

@@ -1,4 +1,4 @@
-// JSON values: written with the bytes of nlohmann::ordered_json, read with located errors.
+// JSON values: written with the same bytes as nlohmann::ordered_json, read with located errors.
 #include "host/base/json.hpp"
 
 #include <gtest/gtest.h>
@@ -93,11 +93,11 @@ TEST(Json, ReadsEveryKindOfValue) {
   EXPECT_EQ(document.find("d")->integer(), std::nullopt);
   EXPECT_EQ(*document.find("s")->text(), "A");
   EXPECT_EQ((*document.find("a"))[1][0].integer(), 2);
-  EXPECT_EQ(document.find("o")->find("x")->integer(), 2) << "the last of several";
+  EXPECT_EQ(document.find("o")->find("x")->integer(), 2) << "the last of several counts";
   EXPECT_EQ(document.find("z"), nullptr);
 }
 
-TEST(Json, SaysWhereATextIsNotJson) {
+TEST(Json, ReportsThePositionOfAnError) {
   const auto read = parse_json("{\n \"a\": [1,\n 2,,]}", "room.json");
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().file, "room.json");
@@ -108,7 +108,7 @@ TEST(Json, SaysWhereATextIsNotJson) {
   EXPECT_FALSE(parse_json("1e999", "")) << "a number out of range";
 }
 
-TEST(Json, ReadsAndForgetsWhatIsNestedDeeply) {
+TEST(Json, ReadsAndDestroysDeepNesting) {
   constexpr std::size_t levels = 1'000'000;
   std::string text;
   for (std::size_t i = 0; i < levels; ++i) text += i % 2 == 0 ? "[" : "{\"a\":";

@@ -10,7 +10,7 @@ namespace {
 
 const std::vector<std::string> commands{"demo", "report", "jones", "skala", "draw", "compare", "spin", "disasm"};
 
-// Worked by hand; "ca" to "abc" is 3 because no place is changed twice.
+// Computed by hand; "ca" to "abc" is 3 because no place is changed twice.
 TEST(EditDistance, OfKnownPairs) {
   EXPECT_EQ(edit_distance("", ""), 0U);
   EXPECT_EQ(edit_distance("", "abc"), 3U);
@@ -20,7 +20,7 @@ TEST(EditDistance, OfKnownPairs) {
   EXPECT_EQ(edit_distance("ca", "abc"), 3U);
 }
 
-// All texts of up to three letters of two: the laws of a distance that hold with swaps too.
+// All texts of up to three letters from an alphabet of two: the laws of a distance that hold with swaps, too.
 TEST(EditDistance, IsSymmetricAndZeroForEqualTextsOnly) {
   std::vector<std::string> texts{""};
   for (std::size_t n = 0; n < texts.size() && texts[n].size() < 3; ++n)
@@ -35,7 +35,7 @@ TEST(EditDistance, IsSymmetricAndZeroForEqualTextsOnly) {
   }
 }
 
-TEST(NearestName, IsNearOrNothing) {
+TEST(NearestName, IsNearOrAbsent) {
   EXPECT_EQ(nearest_name("jons", commands), "jones");
   EXPECT_EQ(nearest_name("comapre", commands), "compare");
   EXPECT_EQ(nearest_name("dis", commands), "disasm");

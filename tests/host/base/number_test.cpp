@@ -58,7 +58,7 @@ TEST(WholeNumber, FitsItsType) {
   EXPECT_FALSE(whole_number<std::int64_t>("9223372036854775808"));
 }
 
-TEST(WholeNumbers, AreAllThereBetweenSeparators) {
+TEST(WholeNumbers, AreAllPresentBetweenSeparators) {
   using Three = std::array<int, 3>;
   EXPECT_EQ((whole_numbers<int, 3>("3,-4,5", ',')), (Three{3, -4, 5}));
   for (const char* const wrong : {"", "3,-4", "3,-4,", "3,-4,5,6", ",4,5", "3, 4,5", "3x4x5"})
@@ -84,8 +84,8 @@ TEST(FixedNumber, HasNoExponentAndIsInTheRange) {
     EXPECT_FALSE(fixed_number(wrong, 0, 1)) << wrong;
 }
 
-// The library of g++ writes each number in its own way.
-TEST(ShortestNumber, IsThatOfTheStandardLibrary) {
+// The reference is std::to_chars of g++'s library.
+TEST(ShortestNumber, EqualsTheStandardLibrary) {
   const auto expected = [](double value) {
     std::array<char, 64> digits{};
     return std::string(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
@@ -100,7 +100,7 @@ TEST(ShortestNumber, IsThatOfTheStandardLibrary) {
     const double any = std::bit_cast<double>(seed);
     if (std::isnan(any)) continue;
     ASSERT_EQ(shortest_number(any), expected(any)) << seed;
-    // Those that people write, and whole ones about 2^64.
+    // Common numbers, and integers around 2^64.
     const double common = static_cast<double>(static_cast<std::int64_t>(seed) >> (seed & 63U)) / std::pow(10.0, static_cast<double>(seed >> 6 & 15U));
     ASSERT_EQ(shortest_number(common), expected(common)) << seed;
     const double large = std::ldexp(static_cast<double>(seed >> 11), static_cast<int>(seed & 31U));

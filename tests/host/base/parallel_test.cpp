@@ -28,7 +28,7 @@ TEST(InOrder, EveryResultOnceAndInOrder) {
   }
 }
 
-TEST(InOrder, StopsWhenToldToAndPassesOnWhatIsThrown) {
+TEST(InOrder, StopsOnRequestAndPropagatesExceptions) {
   std::uint64_t count = 0;
   OrderedWork<int> work;
   work.last = std::uint64_t{1} << 40;

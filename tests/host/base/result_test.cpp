@@ -10,7 +10,7 @@
 namespace sightline::base {
 namespace {
 
-TEST(Error, MessageLeavesOutWhatIsEmpty) {
+TEST(Error, MessageOmitsEmptyFields) {
   EXPECT_EQ((Error{"a.png", "byte 41", "no IDAT", "image data"}).message(),
             "a.png: byte 41: no IDAT, expected image data");
   EXPECT_EQ((Error{"a.png", "", "cannot read: No such file or directory"}).message(),
@@ -56,7 +56,7 @@ TEST(Result, HoldsAValueOrAnError) {
   EXPECT_THROW(static_cast<void>(*bad), std::bad_variant_access);
 }
 
-TEST(Result, GivesAwayWhatCannotBeCopied) {
+TEST(Result, ReleasesMoveOnlyValues) {
   Result<std::unique_ptr<int>> result(std::make_unique<int>(7));
   const std::unique_ptr<int> taken = std::move(*result);
   EXPECT_EQ(*taken, 7);

@@ -11,7 +11,7 @@ std::vector<int> items(const ShortList<int, 3>& list) {
   return {list.begin(), list.end()};
 }
 
-TEST(ShortList, HoldsWhatAVectorHoldsBelowAndAboveItsOwnRoom) {
+TEST(ShortList, EqualsAVectorBelowAndAboveItsInlineCapacity) {
   ShortList<int, 3> list;
   std::vector<int> expected;
   for (int i = 0; i < 10; ++i) {
@@ -39,7 +39,7 @@ TEST(ShortList, ACopyIsAList) {
   }
 }
 
-TEST(ShortList, BeginsAnewWhenCleared) {
+TEST(ShortList, IsEmptyAfterClear) {
   ShortList<int, 3> list;
   for (int i = 0; i < 9; ++i) list.push_back(i);
   list.clear();

@@ -13,7 +13,7 @@ TEST(TextTable, PadsCellsToTheirColumns) {
   EXPECT_EQ(table.text(), "scene    lines     s\nhouse      128  0.25\n");
 }
 
-TEST(TextTable, ALongCellMovesItsOwnRowOnly) {
+TEST(TextTable, ALongCellShiftsOnlyItsRow) {
   TextTable table({-4, 3});
   table.row({"a", "1"});
   table.row({"longer", "12345"});
@@ -28,7 +28,7 @@ TEST(TextTable, LeavesNoBlanksAtTheEndOfALine) {
   EXPECT_EQ(table.text(), "a   b\nc\na note of any length\n");
 }
 
-TEST(TextTable, LeavesColumnsOutOfANarrowTerminal) {
+TEST(TextTable, OmitsColumnsInANarrowTerminal) {
   TextTable table({-12, 12, -12, 12});
   table.row({"scene", "lines", "  paper", "s"});
   table.row({"house", "128", "  of 1971", "0.25"});

@@ -24,7 +24,7 @@ TEST(Joined, HasTheSeparatorBetween) {
   EXPECT_EQ(joined(std::array<int, 2>{-4, 7}, " to "), "-4 to 7");
 }
 
-TEST(ByteOrderMark, OfUtf8IsLeftOutOnce) {
+TEST(ByteOrderMark, OfUtf8IsRemovedOnce) {
   EXPECT_EQ(without_byte_order_mark("\xef\xbb\xbfOFF"), "OFF");
   EXPECT_EQ(without_byte_order_mark("\xef\xbb\xbf"), "");
   EXPECT_EQ(without_byte_order_mark("\xef\xbb\xbf\xef\xbb\xbfv"), "\xef\xbb\xbfv");
@@ -32,7 +32,7 @@ TEST(ByteOrderMark, OfUtf8IsLeftOutOnce) {
   EXPECT_EQ(without_byte_order_mark(""), "");
 }
 
-TEST(ByteOrderMark, OfUtf16IsKnown) {
+TEST(ByteOrderMark, OfUtf16IsRecognised) {
   EXPECT_TRUE(begins_as_utf_16(std::string_view("\xff\xfeO\0", 4)));
   EXPECT_TRUE(begins_as_utf_16(std::string_view("\xfe\xff\0O", 4)));
   EXPECT_TRUE(begins_as_utf_16(std::string_view("\0\0\xfe\xff\0\0\0O", 8)));

@@ -1,5 +1,4 @@
-// The plot of time against error: fronts by hand, places on logarithmic axes, labels that do not lie on each other, texts
-// escaped.
+// The plot of time against error: fronts by hand, positions on logarithmic axes, labels without overlap, escaped texts.
 #include "host/compare/answer_plot.hpp"
 
 #include <gtest/gtest.h>
@@ -36,7 +35,7 @@ struct Place {
   double y = 0;
 };
 
-// Where the marks are, in their order.
+// The positions of the marks, in their order.
 std::vector<Place> marks_of(const std::string& svg) {
   const std::regex mark("transform=\"translate\\(([0-9.]+) ([0-9.]+)\\)\" d=");
   std::vector<Place> places;
@@ -45,11 +44,12 @@ std::vector<Place> marks_of(const std::string& svg) {
   return places;
 }
 
-TEST(Front, IsWhatNoOtherIsBothFasterAndMoreRightThan) {
+TEST(Front, HasThePointsThatNoOtherDominates) {
   //                                       0            1            2            3            4              5
   const std::vector<PlotPoint> series{point(1, 5), point(2, 4), point(3, 4), point(2, 1), point(0.5, 9), point(4, 0)};
-  // From the fastest on, each that is more right than all before: 4, 0, 3 (as fast as 1 and more right), 5. 2 is slower than 1
-  // and no more right.
+  // From the fastest on, each point more accurate than all before: 4, 0, 3 (as fast as 1 and more accurate), 5. 2 is slower than
+  // 1 and not
+  // more accurate.
   EXPECT_EQ(front_of(series), (std::vector<std::size_t>{4, 0, 3, 5}));
   EXPECT_EQ(front_of({point(1, 1), point(1, 1)}), (std::vector<std::size_t>{0})) << "of equal points the first";
   EXPECT_TRUE(front_of({}).empty());
@@ -80,7 +80,7 @@ TEST(Plot, AxesAreLogarithmic) {
   EXPECT_NEAR(marks[1].y - marks[0].y, marks[2].y - marks[1].y, 0.11);
   EXPECT_GT(marks[1].y - marks[0].y, 20) << "less wrong is lower";
   EXPECT_NEAR(marks[3].x, marks[2].x, 0.11);
-  EXPECT_GT(marks[3].y, marks[2].y + 8) << "error 0: in the strip below";
+  EXPECT_GT(marks[3].y, marks[2].y + 8) << "error 0: in the strip at the bottom";
 }
 
 TEST(Plot, LabelsDoNotLieOnEachOtherOrOnMarks) {
@@ -97,7 +97,7 @@ TEST(Plot, LabelsDoNotLieOnEachOtherOrOnMarks) {
   const std::regex label("<text class=\"(e |m )?(b )?c[0-9]\" x=\"([0-9.]+)\" y=\"([0-9.]+)\">([^<]*)</text>");
   for (auto at = std::sregex_iterator(svg.begin(), svg.end(), label); at != std::sregex_iterator(); ++at) {
     const double width =
-        6.5 * static_cast<double>((*at)[5].length());  // of 13 units of height: narrow letters, so that what touches is found
+        6.5 * static_cast<double>((*at)[5].length());  // 13 units high: narrow letters, so that touching texts are found
     const double x = std::stod((*at)[3]) - ((*at)[1] == "e " ? width : (*at)[1] == "m " ? width / 2 : 0);
     const double base = std::stod((*at)[4]);
     boxes.push_back({x, x + width, base - 9, base + 2});
@@ -117,7 +117,7 @@ TEST(Plot, LabelsDoNotLieOnEachOtherOrOnMarks) {
   }
 }
 
-TEST(Plot, EscapesWhatItIsGiven) {
+TEST(Plot, EscapesTexts) {
   const auto svg = plot_svg({point(1, 2, "<script>", "a & \"b\"")}, "<title> & more");
   ASSERT_TRUE(svg);
   EXPECT_EQ(svg->find("<script"), std::string::npos);
@@ -126,7 +126,7 @@ TEST(Plot, EscapesWhatItIsGiven) {
   EXPECT_NE(svg->find("&lt;title&gt; &amp; more"), std::string::npos);
 }
 
-TEST(Plot, OfNothingIsAnErrorAndAPanelSaysSo) {
+TEST(Plot, WithoutPointsIsAnErrorAndAnEmptyPanelSaysSo) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const auto nothing = plot_svg({point(0, 1), point(none, 1), point(1, none), point(1, -1)}, "t");
   ASSERT_FALSE(nothing);
@@ -160,7 +160,7 @@ TEST(Variants, OfASceneOfCellsAreTheBitsWithTheEaeAndWithout) {
     EXPECT_LT(with[bits].seconds, without[bits].seconds) << "the EAE only saves time";
     EXPECT_EQ(with[bits].wrong_percent, without[bits].wrong_percent);
   }
-  // The usual setting is what the comparison has.
+  // The comparison uses the default setting.
   EXPECT_EQ(with[3].seconds, core::in_seconds(comparison->guest->time));
   for (const PlotPoint& point : points)
     EXPECT_EQ(point.panel, PlotPanel::emulated) << point.series << ": no times of this computer";
@@ -181,10 +181,10 @@ TEST(Variants, OfPolyhedraAreStripesAndEvents) {
   const auto events = of_series(points, "plantinga events");
   ASSERT_EQ(events.size(), 5U);
   EXPECT_EQ(events.front().label, "0 degrees");
-  EXPECT_EQ(events.front().wrong_percent, 0) << "exact between exact events";
+  EXPECT_EQ(events.front().wrong_percent, 0) << "no error between exact events";
   EXPECT_GT(events.back().wrong_percent, 0) << "events 10 degrees late";
   for (const PlotPoint& point : points) EXPECT_GT(point.seconds, 0) << point.series;
-  // Without the method in the comparison there is no setting of it.
+  // A method that was not compared has no settings in the plot.
   options.methods = {"exact"};
   const auto exact = compare_poly_scene(*scene, camera, options);
   ASSERT_TRUE(exact);

@@ -1,4 +1,4 @@
-// The error atlas of small scenes and of known views, compared with a loop of its own over the same eyes.
+// The error atlas of small scenes and of known views, compared with an independent loop over the same eyes.
 #include "host/compare/atlas.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ std::vector<AtlasView> views_of(const scene::CellScene& scene, const std::vector
   return views;
 }
 
-// Assembled for every eye, the visible lines made from the scene, lengths sampled.
+// Assembles the program for every eye, makes the visible lines from the scene, and samples lengths.
 void expect_as_by_brute_force(const scene::CellScene& scene, const std::vector<geometry::Point>& eyes,
                               const AtlasOptions& options) {
   const std::vector<AtlasView> views = views_of(scene, eyes, options);
@@ -63,20 +63,20 @@ void expect_as_by_brute_force(const scene::CellScene& scene, const std::vector<g
     const oracle::DrawnError error = oracle::drawn_error(
         oracle::on_screen(*oracle::visible_lines(scene, eyes[i], window), eyes[i], window), drawn, 1);
     EXPECT_EQ(views[i].is_wrong(), error.missing + error.extra > 0);
-    // The steps of sampling, and lines that lie on each other.
+    // Differences come from the sampling step, and from overlapping lines.
     EXPECT_LE(views[i].wrong.true_length, error.true_length + 1e-6);
     EXPECT_NEAR(views[i].wrong.missing, error.missing, 1 + 0.1 * error.missing);
     EXPECT_NEAR(views[i].wrong.extra, error.extra, 1 + 0.1 * error.extra);
   }
 }
 
-TEST(Atlas, IsWhatALoopOverItsEyesGives) {
+TEST(Atlas, EqualsALoopOverItsEyes) {
   const scene::CellScene house = scene::builtin_scene("house");
   AtlasLattice lattice = default_lattice(house);
   lattice.columns = 5;
   lattice.rows = 6;
   expect_as_by_brute_force(house, lattice_eyes(house, lattice), {});
-  // With eyes in solids; and views that are known to be wrong, with and without the EAE.
+  // With eyes in solids; and known wrong views, with and without the EAE.
   const scene::CellScene street = scene::builtin_scene("street4");
   AtlasOptions options;
   options.eae = false;
@@ -94,15 +94,16 @@ std::string cause_in_street(const geometry::Point& eye, int fraction_bits = 3) {
 }
 
 TEST(Atlas, NamesTheCauseOfAWrongView) {
-  // A mask of this view has, in a row, the corners (855.750, 236.625), (1013.375, 110.375) and (1023,
-  // 102.625): the turn at the second, 157.625 x -7.75 + 126.25 x 9.625, is below 0, to the right. Unrounded
-  // it turns to the left.
+  // A mask of this view has the consecutive corners (855.750, 236.625), (1013.375, 110.375) and (1023, 102.625): the turn at the
+  // second,
+  // 157.625 x -7.75 + 126.25 x 9.625, is below 0, to the right. Unrounded it turns to the left.
   EXPECT_EQ(cause_in_street({73, 582, 814}), "mask corner");
-  // The line x = -800, y = 0 ends at (0, 196.312) of the screen; the side of the mask along it goes to (0,
-  // 196.367) unrounded, and to (0, 196.25) between the corners of its portal as rounded.
+  // The line x = -800, y = 0 ends at (0, 196.312) of the screen; the side of the mask along it goes to (0, 196.367) unrounded,
+  // and to
+  // (0, 196.25) between the rounded corners of its portal.
   EXPECT_EQ(cause_in_street({298, 677, 1812}), "rounding of a portal");
   EXPECT_EQ(cause_in_street({37, 160, 20}), "none");
-  // Right with all the fraction bits that the program can have.
+  // Correct with the largest number of fraction bits of the program.
   EXPECT_EQ(cause_in_street({-534, 49, 2348}), "none");
   EXPECT_EQ(cause_in_street({-534, 49, 2348}, 0), "fraction bits");
 }
@@ -116,8 +117,7 @@ TEST(Atlas, TheLineThatIsWrongIsNamed) {
   EXPECT_EQ(view.cause->right_from_bits, 5);
 }
 
-// Cells behind each other, each with a doorway to the next: a frame of 9 of the 450 words of the stack for
-// each doorway.
+// Cells in a row, each with a doorway to the next: each doorway takes a frame of 9 of the 450 words of the stack.
 scene::CellScene doorways(std::int32_t cells) {
   scene::CellScene scene;
   scene.name = "doorways";
@@ -142,7 +142,7 @@ scene::CellScene doorways(std::int32_t cells) {
   return scene;
 }
 
-TEST(Atlas, AProgramThatStopsIsACauseOfItsOwn) {
+TEST(Atlas, AProgramThatStopsIsASeparateCause) {
   const auto views = views_of(doorways(53), {{20, 20, 10}, {20, 20, 30}, {20, 20, 50}});
   for (const std::size_t through_51 : {0U, 1U}) {
     ASSERT_TRUE(views[through_51].is_wrong());
@@ -160,7 +160,7 @@ TEST(Atlas, LatticeEyesAreTheMiddlesOfRectangles) {
   const std::vector<geometry::Point> expected{{10, 7, 105}, {30, 7, 105}, {10, 7, 115},
                                               {30, 7, 115}, {10, 7, 125}, {30, 7, 125}};
   EXPECT_EQ(lattice_eyes(scene, {2, 3, 7}), expected);
-  // More steps than there are whole coordinates.
+  // More steps than there are integer coordinates.
   EXPECT_EQ(lattice_eyes(scene, {1000, 1, 7}).size(), 40U);
   for (const char* name : {"house", "street4", "corridor32"}) {
     const scene::CellScene builtin = scene::builtin_scene(name);
@@ -243,7 +243,7 @@ TEST(Atlas, TheSummaryCountsAndClusters) {
   EXPECT_FALSE(summary.differs_from_twin);
 }
 
-// The legend has every colour: a wrong view adds its mark to one of them.
+// The legend contains every colour; a wrong view adds its mark in one of them.
 TEST(Atlas, ThePictureShowsAWrongViewWhereItsEyeIs) {
   const scene::CellScene scene = scene::builtin_scene("house");
   const AtlasLattice lattice{4, 4, 160};

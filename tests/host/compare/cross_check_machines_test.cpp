@@ -1,5 +1,6 @@
-// Jones's program on the PDP-7 and Skala's on the 8080 in the cross-check: a bound of their distances from
-// exact lines by hand, and that a line out of its place is found.
+// Jones's program on the PDP-7 and Skala's on the 8080 in the cross-check: the bound of their distance from exact lines, computed
+// by
+// hand, and the detection of a displaced line.
 #include "host/compare/cross_check_machines.hpp"
 
 #include <gtest/gtest.h>
@@ -13,8 +14,8 @@
 namespace sightline::compare {
 namespace {
 
-// A room and nothing else. From its middle the edges between front and back wall run to (5, 3) and so on, and leave the window at
-// its sides.
+// An empty room. From its middle the edges between front and back wall run to (5, 3) and so on, and leave the window at its
+// sides.
 scene::CellScene room() {
   scene::CellScene scene;
   scene.name = "room";
@@ -27,9 +28,11 @@ scene::CellScene room() {
   return scene;
 }
 
-// Such an edge is projected with both coordinates half a unit off: at right angles to it (5 + 3) / 2 in units of 1 / sqrt(34). At
-// the side of the window y is rounded again: 5/2 more. Along the edge the cut is off by 4 * 3/5, where the displaced edge meets
-// the side, and by 3/2, from the rounding. Together sqrt(6.5^2 + 3.9^2) / sqrt(34) = 1.3.
+// Both projected coordinates of such an edge are up to half a unit off: perpendicular to it (5 + 3) / 2 in units of 1 / sqrt(34).
+// At the
+// side of the window y is rounded again: 5/2 more. Along the edge the cut is off by 4 * 3/5, where the displaced edge meets the
+// side,
+// and by 3/2 from rounding. Together sqrt(6.5^2 + 3.9^2) / sqrt(34) = 1.3.
 TEST(JonesBound, OfAnEdgeCutByTheWindowAsByHand) {
   const scene::CellScene scene = room();
   for (const int bits : {0, 1, 3, 8})
@@ -41,7 +44,7 @@ TEST(JonesBound, OfLinesBetweenPointsIsHalfAPointMoreEachWay) {
   EXPECT_DOUBLE_EQ(jones_line_bound(0.25, {18, 2}), 0.25 + std::sqrt(0.5));
 }
 
-// From the middle of every cell of a house and of a corridor, and from a place beside it.
+// From the middle of every cell of a house and of a corridor, and from a point next to it.
 TEST(JonesBound, HoldsFromEveryCell) {
   std::size_t views = 0;
   for (const std::string_view name : {"J1", "J4"}) {
@@ -65,14 +68,14 @@ TEST(JonesBound, HoldsFromEveryCell) {
   EXPECT_GE(views, 20U);
 }
 
-// From three cells, in the machine's own words: the bound holds, and is not too large, because some line is farther off than half of it.
+// From three cells, for the machine's own words: the bound holds and is tight, because some line is farther off than half of it.
 TEST(JonesBound, HoldsForTheMachinesWordsAndIsNear) {
   for (const std::string_view name : {"J1", "J4"}) {
     const CommonScene scene = common_scene(name);
     const auto exact = registry::find_line_algorithm("exact")->prepare(scene.scene);
     CrossCheckView view = scene.views.front();
     std::size_t eyes = 0;
-    double nearest = 0;  // share of the bound
+    double nearest = 0;  // as a fraction of the bound
     for (const scene::Cell& cell : scene.cells->cells) {
       if (eyes == 3) break;
       for (std::size_t a = 0; a < 3; ++a) view.camera.eye[a] = cell.box.low[a] + (cell.box.high[a] - cell.box.low[a]) / 3;
@@ -96,7 +99,7 @@ picture::PixelSegment moved(const picture::PixelSegment& line, double by) {
   return {{line.a.x + across.x, line.a.y + across.y}, {line.b.x + across.x, line.b.y + across.y}};
 }
 
-TEST(MachinePictures, ALineOfJonesTwoPointsAsideIsFound) {
+TEST(MachinePictures, ALineOfJonesMovedByTwoPointsIsFound) {
   const CommonScene scene = common_scene("J3");
   const CrossCheckView& view = scene.views.front();
   auto builds = *jones_on_pdp7(scene, view, true);
@@ -122,7 +125,7 @@ TEST(MachinePictures, OtherDisplayWordsAreFound) {
   EXPECT_TRUE(verdict.text.starts_with("1 fraction bits")) << verdict.text;
 }
 
-TEST(MachinePictures, ADotMoreAndALineOfAPlotterAsideAreFound) {
+TEST(MachinePictures, AnExtraDotAndAMovedLineOfAPlotterAreFound) {
   const CommonScene scene = common_scene("H1");
   const auto pictures = skala_pictures(*scene.heights, program_view(scene));
   std::vector<SkalaInk> dot_more{pictures[0]};
@@ -132,7 +135,7 @@ TEST(MachinePictures, ADotMoreAndALineOfAPlotterAsideAreFound) {
   for (const SkalaInk& picture : pictures) {
     if (picture.device != programs::skala::Device::calcomp) continue;
     std::vector<SkalaInk> aside{picture};
-    // What is farthest to the left is the corner of the domain, with nothing beside it.
+    // The leftmost ink is the corner of the domain, with nothing next to it.
     auto& ink = aside[0].ink;
     const auto leftmost = std::min_element(
         ink.begin(), ink.end(), [](const auto& a, const auto& b) { return std::min(a.a.x, a.b.x) < std::min(b.a.x, b.b.x); });

@@ -1,5 +1,5 @@
-// All algorithms against each other on the common scenes, one test for each pair and scene, and that the comparison notices what
-// it is there to notice.
+// All algorithms compared with each other on the common scenes, one test per pair and scene; and the comparison must detect the
+// differences that it exists to detect.
 #include "host/compare/cross_check.hpp"
 #include "host/compare/stripes.hpp"
 
@@ -29,7 +29,7 @@ std::size_t pair_count() {
   return participants().size() * (participants().size() - 1) / 2;
 }
 
-// Of a scene, by its number in common_scene_names, once.
+// The cross-check of a scene, by its number in common_scene_names, computed once.
 const SceneCrossCheck& agreement_of(std::size_t scene) {
   static std::map<std::size_t, SceneCrossCheck> known;
   const auto found = known.find(scene);
@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Agreement, AgreementOn,
                                           testing::Range(std::size_t{0}, pair_count())),
                          agreement_name);
 
-TEST(CommonScenes, ArePossibleAndParallelViewsBeginBeforeThem) {
+TEST(CommonScenes, AreValidAndParallelViewsBeginInFrontOfThem) {
   for (const std::string_view name : common_scene_names()) {
     const CommonScene scene = common_scene(name);
     EXPECT_EQ(scene.name, name);
@@ -92,7 +92,7 @@ TEST(CommonScenes, ArePossibleAndParallelViewsBeginBeforeThem) {
   }
 }
 
-// The sight line of a pixel goes through its middle, and the window says the same.
+// The sight line of a pixel passes through its middle; the window must agree.
 TEST(CommonScenes, SightLinesArePixels) {
   for (const std::string_view name : {"C1", "C5", "C9"}) {
     for (const CrossCheckView& view : common_scene(name).views) {
@@ -128,7 +128,7 @@ bool excludes(const NotApplicable& exclusion, std::string_view who, const Common
                      [](const CrossCheckView& view) { return view.camera.perspective; });
 }
 
-// All pairs of the registries' algorithms on all scenes, less those with an excluded one.
+// All pairs of the registries' algorithms on all scenes, without pairs with an excluded algorithm.
 TEST(CommonScenes, EveryPairRunsThatIsNotExcluded) {
   const std::set<std::string_view> names = registered();
   EXPECT_EQ(participants().size(), names.size());
@@ -157,7 +157,7 @@ TEST(CommonScenes, EveryPairRunsThatIsNotExcluded) {
   }
 }
 
-// By what was measured between two of them: the greatest part of its bound on any scene and view.
+// For each measure between two algorithms: the largest fraction of its bound in any scene and view.
 std::map<std::string, double> parts_of_bounds(std::string_view first, std::string_view second) {
   std::map<std::string, double> parts;
   for (std::size_t scene = 0; scene < common_scene_names().size(); ++scene)
@@ -167,7 +167,7 @@ std::map<std::string, double> parts_of_bounds(std::string_view first, std::strin
   return parts;
 }
 
-// No bound is so wide that it says nothing: half of it would not do, of lit points a third of it.
+// No bound is so wide that it has no effect: half of it would be too small, for lit points a third.
 TEST(BoundsOfMachines, AreNeededWithEveryNumberOfFractionBits) {
   const auto parts = parts_of_bounds("exact", jones_pdp7_name);
   ASSERT_EQ(parts.size(), 8U);
@@ -192,7 +192,7 @@ std::vector<registry::LineAlgorithm> tables_with(std::string_view name,
   return lines;
 }
 
-// Exactly the cells of `name` that are listed to run are in that state.
+// Exactly the applicable cells of `name` are in that state.
 void expect_only(const SceneCrossCheck& agreement, std::string_view name, CrossCheckState state) {
   EXPECT_FALSE(agreement.agrees());
   for (const CrossCheckCell& cell : agreement.cells) {
@@ -232,7 +232,7 @@ TEST(AgreementFails, WhenAnAlgorithmRefusesAScene) {
   EXPECT_EQ(cell_of(agreement, "exact", "jones").text, "view 1: jones: not today");
 }
 
-// One end of one piece of the second view moved by a little, for each kind of comparison.
+// Moves one end of one piece of the second view slightly, for each kind of comparison.
 TEST(AgreementFails, WhenAPieceIsShorter) {
   const auto lines = tables_with("montani-re", [](registry::LineAlgorithm& a) {
     a.prepare = [](const scene::PolyScene& scene) -> base::Result<registry::PreparedScene> {
@@ -258,7 +258,7 @@ TEST(AgreementFails, WhenAPieceIsShorter) {
   EXPECT_TRUE(cell.text.starts_with("view 2: " + edge)) << cell.text;
 }
 
-// A face that is shown where another one is, in nine pixels.
+// Shows one face in place of another, in nine pixels.
 TEST(AgreementFails, WhenAFaceIsAnother) {
   std::vector<registry::FaceAlgorithm> faces(registry::face_algorithms().begin(),
                                             registry::face_algorithms().end());

@@ -1,5 +1,6 @@
-// Exact lines on devices, by hand and against what the emulated devices show when the same lines are drawn; the guests'
-// difference from them.
+// Exact lines on devices, compared by hand and with the emulated devices' output for the same lines; and the guests' difference
+// from
+// them.
 #include "host/compare/device_raster.hpp"
 
 #include <gtest/gtest.h>
@@ -47,12 +48,12 @@ PixelGrid united(PixelGrid a, const PixelGrid& b) {
   return a;
 }
 
-TEST(Type340Points, AreThoseOfTheRateMultiplier) {
+TEST(Type340Points, EqualThoseOfTheRateMultiplier) {
   // 5 = 4 + 1 and 3 = 2 + 1 in seven pulses: the first stage passes the 4s at pulses 1, 3, 5, 7, the second the 2s at
   // 2 and 6, the third the units at 4.
   const Places expected{{10, 20}, {11, 20}, {11, 21}, {12, 21}, {13, 22}, {14, 22}, {14, 23}, {15, 23}};
   EXPECT_EQ(lit(type340_points(std::vector<PixelSegment>{{{10, 20}, {15, 23}}})), expected);
-  // Ends are rounded, halves up, and the way back is the same.
+  // Ends are rounded, halves up, and the reversed line is the same.
   EXPECT_EQ(lit(type340_points(std::vector<PixelSegment>{{{15.49, 22.5}, {9.5, 20.4}}})), expected);
   // To the left and down: x at 1 .. 7 as above.
   EXPECT_EQ(lit(type340_points(std::vector<PixelSegment>{{{10, 20}, {5, 17}}})),
@@ -71,7 +72,7 @@ TEST(Type340Points, ALineOfNoLength) {
   EXPECT_EQ(lit(type340_points(dot, LongLines::turn)), (Places{{5, 7}}));
 }
 
-TEST(Type340Points, LongLinesAreDividedAsTheirProgramsDo) {
+TEST(Type340Points, LongLinesAreDividedAsByTheirPrograms) {
   const auto in_words = [](const std::vector<std::pair<int, int>>& words) {
     std::vector<PixelSegment> lines;
     double x = 50;
@@ -90,7 +91,7 @@ TEST(Type340Points, LongLinesAreDividedAsTheirProgramsDo) {
   EXPECT_EQ(type340_points(line, LongLines::turn), type340_points(in_words({{127, 42}, {127, 43}, {46, 15}}), LongLines::turn));
 }
 
-// The program's pieces before they are rounded, in points of the screen.
+// The program's pieces before rounding, in points of the screen.
 std::vector<PixelSegment> pieces_of(const programs::jones::TwinView& view) {
   std::vector<PixelSegment> pieces;
   const programs::jones::ShortWords number;
@@ -100,7 +101,7 @@ std::vector<PixelSegment> pieces_of(const programs::jones::TwinView& view) {
   return pieces;
 }
 
-TEST(Type340Points, OfJonesPiecesAreTheFlashesOfHisProgram) {
+TEST(Type340Points, OfJonesPiecesEqualTheFlashesOfHisProgram) {
   for (const char* name : {"house", "roberts", "corridor8"}) {
     const auto program = programs::jones::Prepared::of(scene::builtin_scene(name));
     ASSERT_TRUE(program) << name;
@@ -133,7 +134,7 @@ TEST(CompareFlashes, OfHisProgramAndExactLines) {
       exact.push_back({{line.x0, line.y0}, {line.x1, line.y1}});
     const auto pieces = pieces_of(*program->twin(order));
     const ComparedFlashes right = compare_flashes(exact, pieces, outcome->pass);
-    // Three fraction bits put the end of a line to the point beside, at the most.
+    // With three fraction bits the end of a line moves by one point at most.
     EXPECT_EQ(right.difference.missing.beyond_1, 0U);
     EXPECT_EQ(right.difference.extra.beyond_1, 0U);
     EXPECT_LT(right.difference.missing.all, right.difference.lit_in_truth / 20);
@@ -151,7 +152,7 @@ TEST(CompareFlashes, OfHisProgramAndExactLines) {
   }
 }
 
-TEST(Type340Points, OfTurningLinesAreTheFlashesOfTheProgram) {
+TEST(Type340Points, OfTurningLinesEqualTheFlashesOfTheProgram) {
   const auto turning = Turning::of(*scene::generate_scene("boxes", 3, 1));
   ASSERT_TRUE(turning);
   const auto shown = turning->draw(40000);
@@ -161,8 +162,8 @@ TEST(Type340Points, OfTurningLinesAreTheFlashesOfTheProgram) {
 
 TEST(DividedAs, APieceThatLiesOnALineEndsThere) {
   const std::vector<PixelSegment> line{{{0, 0}, {100, 0}}};
-  const std::vector<PixelSegment> pieces{{{0.4, 0.3}, {40, -0.5}},  // begins where the line does
-                                         {{40.6, 0}, {70, 0.5}},    // goes on
+  const std::vector<PixelSegment> pieces{{{0.4, 0.3}, {40, -0.5}},  // begins at the start of the line
+                                         {{40.6, 0}, {70, 0.5}},    // continues
                                          {{20, 0}, {20, 30}},       // leaves it
                                          {{10, 1.5}, {90, 1.5}}};   // beside it
   const auto divided = divide_like(line, pieces);
@@ -187,14 +188,14 @@ TEST(SkalaPoints, OfOneLineByHand) {
   EXPECT_EQ(lit(skala_points(line(3, 3, 7, 5, {{0, 1}}))), (Places{{3, 3}, {4, 4}, {5, 4}, {6, 5}, {7, 5}}));
   // The same to the left: e = -3.
   EXPECT_EQ(lit(skala_points(line(7, 5, 3, 3, {{0, 1}}))), (Places{{3, 3}, {4, 4}, {5, 4}, {6, 5}, {7, 5}}));
-  // Seen from a quarter on, by columns.
+  // Visible from a quarter on, by columns.
   EXPECT_EQ(lit(skala_points(line(3, 3, 7, 5, {{0.25, 0.6}}))), (Places{{4, 4}, {5, 4}}));
   EXPECT_EQ(lit(skala_points(line(3, 3, 7, 5, {{0.3, 0.6}}))), (Places{{5, 4}}));
   EXPECT_EQ(lit(skala_points(line(3, 3, 7, 5, {{0.3, 0.6}}), SkalaDevice::plotter)), Places{}) << "one dot is dropped";
   EXPECT_EQ(lit(skala_points(line(3, 3, 7, 5, {{0.25, 0.6}}), SkalaDevice::plotter)), (Places{{4, 4}, {5, 4}}));
 }
 
-TEST(SkalaPoints, AreTheProgramsWhereNothingIsHidden) {
+TEST(SkalaPoints, EqualTheProgramsIfNothingIsHidden) {
   for (const double rotation : {0.0, 33.0}) {
     algorithms::skala::View view;
     view.rotation = rotation;
@@ -210,7 +211,7 @@ TEST(SkalaPoints, AreTheProgramsWhereNothingIsHidden) {
   }
 }
 
-TEST(LinesAsDrawn, TakesPiecesForWhatIsSeen) {
+TEST(LinesAsDrawn, TreatsPiecesAsVisibleParts) {
   const std::vector<picture::ReferenceLine> lines{{7, {{0, 0}, {10, 0}}, {{0, 1}}, {{0, 1}}},
                                                   {9, {{0, 0}, {0, 8}}, {{0, 1}}, {{0, 1}}}};
   const std::vector<picture::DrawnPiece> pieces{{7, {{5, 0.1}, {2, 0}}}, {7, {{4, 0}, {6, 0}}}, {8, {{0, 0}, {1, 1}}}};
@@ -223,7 +224,7 @@ TEST(LinesAsDrawn, TakesPiecesForWhatIsSeen) {
   EXPECT_EQ(visible_segments(drawn).size(), 1U);
 }
 
-TEST(StripesPenPoints, AreThoseOfTheProgram) {
+TEST(StripesPenPoints, EqualThoseOfTheProgram) {
   const scene::PolyScene scene = scene::poly_scene_of(scene::builtin_scene("roberts"));
   programs::stripes::View view;
   view.camera = scene.camera;
@@ -234,7 +235,7 @@ TEST(StripesPenPoints, AreThoseOfTheProgram) {
   const PixelGrid shown = points_of(programs::stripes::pen_paths(drawn->picture.commands));
   EXPECT_GT(lit(shown).size(), 300U);
   const PixelGrid expected = stripes_pen_points(*drawn->faces);
-  // The pen cuts corners: it may leave out the corner of two links, but goes nowhere else.
+  // The pen cuts corners: it may omit the corner between two links, but goes nowhere else.
   EXPECT_EQ(united(expected, shown), expected);
   EXPECT_EQ(picture::raster_difference(expected, shown).missing.beyond_1, 0U);
 }
@@ -249,7 +250,7 @@ TEST(StripesPen, IsNearTheBoundariesOfTheNearestFaces) {
   EXPECT_GT(pen->raster.lit_in_drawn, 300U);
   EXPECT_EQ(pen->raster.missing.beyond_2, 0U);
   EXPECT_EQ(pen->raster.extra.beyond_2, 0U);
-  // A boundary a hundred dots long that nobody sees.
+  // A boundary a hundred dots long that is not visible.
   picture::PixelGrid other = truth->faces();
   for (int x = 100; x < 200; ++x) other.set(x, 128, 77);
   const auto wrong = stripes_pen(scene, scene.camera, truth->window(), other);

@@ -1,5 +1,6 @@
-// Scenes in which nothing is before the other: faces in one plane that overlap, and edges seen end-on. The comparison must not call
-// wrong what is right there, and must still find what is wrong.
+// Scenes with faces at equal depth: overlapping coplanar faces, and edges seen end-on. The comparison must not report correct
+// results
+// there as errors, and must still find errors.
 #include <gtest/gtest.h>
 
 #include "host/compare/faces.hpp"
@@ -18,7 +19,7 @@ void add_sheet(scene::PolyScene& scene, const std::vector<scene::PolyPoint>& cor
   scene.bodies.push_back({"", true, {face}});
 }
 
-// Squares 0..10 and 5..15 in the plane z = 0, without perspective along z or from (7, 7, -10).
+// Squares 0..10 and 5..15 in the plane z = 0, orthographic along z or in perspective from (7, 7, -10).
 scene::PolyScene two_squares(bool perspective) {
   scene::PolyScene scene;
   add_sheet(scene, {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}});
@@ -43,19 +44,19 @@ TEST(FaceTruth, EachOfTwoFacesInOnePlaneIsRightWhereTheyOverlap) {
       for (const std::uint32_t value : truth->faces().values) count += value == face ? 1 : 0;
       return count;
     };
-    // The nearest face is the first of those that are equally near: 1 shows all of its 100 units of area, 2 shows 75.
+    // The nearest face is the first of equally near faces: 1 shows all of its 100 units of area, 2 shows 75.
     EXPECT_NEAR(static_cast<double>(total(2)) / static_cast<double>(total(1)), 0.75, 0.02);
     EXPECT_EQ(compared([](std::uint32_t face) { return face; }), 0U);
-    // Everything as the second face: right in a quarter of the first one, wrong in its other three.
+    // Everything as the second face: correct in a quarter of the first one, wrong in its other three.
     const auto wrong = compared([](std::uint32_t face) { return face == 0 ? 0U : 2U; });
     EXPECT_NEAR(static_cast<double>(wrong) / static_cast<double>(total(1)), 0.75, 0.02);
-    // As the first one: none of what the second alone has is right.
+    // As the first one: all of the area that only the second covers is wrong.
     EXPECT_EQ(compared([](std::uint32_t face) { return face == 0 ? 0U : 1U; }), total(2));
   }
 }
 
-// A sheet in the plane x = 0 is seen along its edges in z at half a turn and at none: exact methods have no piece of them there.
-TEST(Turning, EdgesSeenEndOnAreNoDifference) {
+// A sheet in the plane x = 0 is seen along its edges in z at angles 0 and pi: exact methods have no piece of them there.
+TEST(Turning, EdgesSeenEndOnAreNotADifference) {
   scene::PolyScene scene;
   add_sheet(scene, {{0, 0, 0}, {0, 10, 0}, {0, 10, 10}, {0, 0, 10}});
   add_sheet(scene, {{-5, 0, 20}, {5, 0, 20}, {5, 10, 20}, {-5, 10, 20}});

@@ -1,5 +1,6 @@
-// All methods that draw height grids on the points of Skala's board draw one picture of a plain function, and say
-// what they have no picture of.
+// All methods that draw height grids on the points of Skala's board draw the same picture of a simple function, and report what
+// they
+// cannot draw.
 #include "host/compare/height_methods.hpp"
 
 #include <gtest/gtest.h>
@@ -36,7 +37,7 @@ TEST(HeightMethods, ProgramsDrawTheOraclesDots) {
   }
 }
 
-TEST(HeightMethods, SayWhatTheyHaveNoPictureOf) {
+TEST(HeightMethods, ReportWhatTheyCannotDraw) {
   scene::HeightGrid grid = hills();
   algorithms::skala::View zoomed;
   zoomed.zoom = 3;

@@ -1,5 +1,6 @@
-// Native pictures of functions against what is truly seen, as vectors and cell by cell; and that the
-// references themselves are right where that can be said beforehand.
+// Native pictures of functions compared with the visible parts, as vectors and cell by cell; and tests of the references
+// themselves
+// where the result is known beforehand.
 #include "host/compare/heights.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +41,7 @@ double seen_length(const HeightLines& lines) {
 TEST(HeightLines, NothingOfAPlaneIsHiddenAndHalfOfARidgeIs) {
   const HeightLines plane(sampled("flat", {5, 5}), view_of(algorithms::skala::Subject::lines, 20));
   for (const auto& line : plane.lines()) EXPECT_NEAR(picture::total(line.visible), 1, 1e-9);
-  // A ridge across the view, seen from the horizon: of the three slices, only the first and the ridge.
+  // A ridge across the view, seen from the horizon: only the first of the three slices and the ridge are visible.
   scene::HeightGrid ridge = sampled("flat", {3, 3});
   for (std::size_t i = 0; i < 9; ++i) ridge.heights[i] = i / 3 == 1 ? 1 : 0;
   ridge.range = {0, 1};
@@ -58,7 +59,7 @@ TEST(HeightLines, NothingOfAPlaneIsHiddenAndHalfOfARidgeIs) {
   EXPECT_NEAR(back, 255, 1e-6) << "the ridge, and not the slice behind it";
 }
 
-TEST(HeightLines, APieceLeftOutIsMissing) {
+TEST(HeightLines, AnOmittedPieceIsMissing) {
   const auto grid = sampled("peaks", {21, 21});
   const algorithms::skala::View view = view_of(algorithms::skala::Subject::contours, 30);
   const HeightLines lines(grid, view);
@@ -81,12 +82,12 @@ TEST(HeightLines, APieceLeftOutIsMissing) {
   const auto less = picture::line_metrics(lines.lines(), lines.pieces_of(drawing));
   ASSERT_GT(lost, 1);
   EXPECT_NEAR(less.missing - whole.missing, lost, 0.02 * lost + 0.05);
-  // Of another level's layer, no line of the scene has it.
+  // No line of the scene has the layer of another level.
   ++drawing.lines.back().layer;
   EXPECT_GT(picture::line_metrics(lines.lines(), lines.pieces_of(drawing)).extra, less.extra);
 }
 
-TEST(CompareHeights, NativeLinesAndContoursAreWhatIsSeen) {
+TEST(CompareHeights, NativeLinesAndContoursAreTheVisibleParts) {
   for (const char* name : {"sinc", "peaks", "saddle"}) {
     for (const auto picture : {algorithms::skala::Subject::lines, algorithms::skala::Subject::contours}) {
       for (const double rotation : {0.0, 30.0, 180.0, 257.0}) {
@@ -102,7 +103,7 @@ TEST(CompareHeights, NativeLinesAndContoursAreWhatIsSeen) {
         native.rotation = rotation;
         const auto metrics =
             picture::line_metrics(lines.lines(), lines.pieces_of(algorithms::skala::draw(grid, native)));
-        // The native algorithm draws contours that graze the horizon to a thirty-second of a point behind it.
+        // The native algorithm draws contours that graze the horizon up to a thirty-second of a point behind it.
         const HeightLines grazing(grid, view, 1.0 / 16);
         const auto generous =
             picture::line_metrics(grazing.lines(), grazing.pieces_of(algorithms::skala::draw(grid, native)));
@@ -131,20 +132,20 @@ TEST(CompareHeights, ASurfaceShowsTheNearestCell) {
     EXPECT_EQ(cells.name, "native cells");
     EXPECT_EQ(cells.metrics.different_inside, 0U);
     EXPECT_GT(cells.metrics.lit, 20'000U);
-    // All facets lie on a cell, and many cells are hidden in part: the truth without order has others.
+    // All facets are on a cell, and many cells are partly hidden: without order the reference would have others.
     EXPECT_LT(*std::max_element(cells.grid.values.begin(), cells.grid.values.end()), 257U);
     EXPECT_EQ(nearest_cells(grid, view_of(algorithms::skala::Subject::surface, rotation)), cells.truth);
   }
 }
 
-TEST(CompareHeights, AProgramsRoundingIsSeen) {
+TEST(CompareHeights, AProgramsRoundingIsMeasured) {
   const HeightComparison comparison = compare_heights(sampled("sinc", {33, 30}), view_of(algorithms::skala::Subject::lines, 30));
   ASSERT_EQ(comparison.rasters.size(), 3U);
   for (const std::size_t program : {0U, 1U}) {
     const ComparedRaster& row = comparison.rasters[program];
     EXPECT_EQ(row.metrics.different(), 0U) << "the oracle rounds as it does";
     ASSERT_TRUE(row.unrounded);
-    // A step of the line aside is half a dot, rounding of an end another half.
+    // A line one step aside is half a dot off; rounding of an end adds another half.
     EXPECT_GT(row.unrounded->hausdorff.usual, 0.5);
     EXPECT_LT(row.unrounded->hausdorff.greatest, 2);
     EXPECT_EQ(row.unrounded->dots_beyond_2, 0U);
@@ -154,14 +155,14 @@ TEST(CompareHeights, AProgramsRoundingIsSeen) {
     EXPECT_EQ(row.from_native->missing.beyond_2, 0U);
     EXPECT_NE(row.rounding, "");
   }
-  // Vectors are put on the nearest dots: less than 0.5 across, and not further than half way to the next dot.
+  // Vectors are rounded to the nearest dots: less than 0.5 across, and at most half of the way to the next dot.
   ASSERT_TRUE(comparison.rasters[2].unrounded);
   EXPECT_LT(comparison.rasters[2].unrounded->hausdorff.greatest, 1);
   EXPECT_FALSE(comparison.rasters[2].from_native);
   EXPECT_FALSE(comparison.chord) << "nothing to sample";
 }
 
-TEST(CompareDevices, DrawExactLinesButForRounding) {
+TEST(CompareDevices, DrawExactLinesWithinRounding) {
   const auto devices = compare_devices(sampled("peaks", {21, 25}), view_of(algorithms::skala::Subject::lines, 30));
   ASSERT_EQ(devices.size(), 4U);
   for (const ComparedDevice& device : devices) {
@@ -190,8 +191,9 @@ TEST(CompareDevices, ABoardFillsASurfaceAndAPlotterDrawsItsSlices) {
 }
 
 TEST(ChordError, OfAParabola) {
-  // From the horizon, at x = -1, -0.5 .. 1: a chord is (0.5)^2 / 4 above the middle of its arc, of a height of 1 that 255
-  // points show, and steep: the two inner chords least, by 1 in 1.
+  // From the horizon, at x = -1, -0.5 .. 1: a chord is (0.5)^2 / 4 above the middle of its arc. A height of 1 spans 255 points.
+  // The
+  // chords are steep, least the two inner ones, by 1 in 1.
   const HeightSampler parabola = [](scene::GridSize size) {
     return scene::sample_values([](double x, double) { return x * x; }, {{-1, 1}, {-1, 1}}, size);
   };
@@ -202,7 +204,7 @@ TEST(ChordError, OfAParabola) {
   ASSERT_TRUE(error);
   EXPECT_EQ(error->between, 15U);
   EXPECT_NEAR(error->greatest, 255.0 / 16 / std::sqrt(2.0), 1e-9);
-  // Four times as many samples: a sixteenth.
+  // Four times as many samples: a sixteenth of the error.
   const scene::HeightGrid fine = parabola({17, 4});
   const auto less = chord_error(HeightLines(fine, view), fine, view, parabola);
   ASSERT_TRUE(less);
@@ -210,7 +212,7 @@ TEST(ChordError, OfAParabola) {
   EXPECT_FALSE(chord_error(HeightLines(grid, view), grid, view, {}));
 }
 
-TEST(ChordError, IsThatOfWhatIsSeen) {
+TEST(ChordError, IsThatOfTheVisibleParts) {
   // A wall in front of a needle between two samples.
   const auto function = [](double needle) {
     return [needle](scene::GridSize size) {
@@ -245,7 +247,7 @@ TEST(CompareHeights, ContoursHaveRasterAndVectors) {
   ASSERT_EQ(comparison.rasters.size(), 3U);
   ASSERT_EQ(comparison.vectors.size(), 1U);
   const picture::PixelMetrics& native = comparison.rasters[2].metrics;
-  // Skala's masks count the outermost two rows as seen: contours that graze the horizon are longer there.
+  // Skala's masks count the outermost two rows as visible: contours that graze the horizon are longer there.
   EXPECT_LT(native.missing_far + native.extra_far, native.lit / 20);
   const double five = comparison.vectors[0].metrics.true_length;
   view.levels = 10;

@@ -1,4 +1,4 @@
-// Comparisons: what the metrics are given is what the oracles and programs drew.
+// Comparisons: the metrics receive what the oracles and programs drew.
 #include "host/compare/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ namespace {
 namespace oracle = algorithms::oracle;
 using picture::LineMetrics;
 
-TEST(SeenEdge, IsCutToTheFrameAndProjected) {
+TEST(SeenEdge, IsClippedToTheFrameAndProjected) {
   const scene::PolyCamera camera;  // at the origin, along z
   ScreenFrame frame;               // 512 pixels at 45 degrees, 0..1023 around 512
   // Half of it is behind the near plane: z runs from -9 to 11, and is 1 at s = 0.5.
@@ -57,7 +57,7 @@ void expect_nothing(const LineMetrics& m) {
   EXPECT_EQ(m.pieces_different, 0U);
 }
 
-TEST(ExactPictures, AreNothingApartFromThemselves) {
+TEST(ExactPictures, HaveNoErrorComparedWithThemselves) {
   for (const bool perspective : {true, false}) {
     scene::PolyScene scene = scene::generate_boxes(20, 5);
     scene.camera.perspective = perspective;
@@ -91,7 +91,7 @@ TEST(ExactPictures, AreNothingApartFromThemselves) {
   }
 }
 
-// What is seen on a screen of 1024 points, of any scene of cells from any eye.
+// The visible part on a screen of 1024 points, of any scene of cells from any eye.
 oracle::Window screen() {
   oracle::Window window;
   window.near = programs::jones::near_z;
@@ -110,7 +110,7 @@ scene::PolyCamera along_z(const geometry::Point& eye) {
   return camera;
 }
 
-// The length of what segments cover, those that overlap on a straight line once: by brute force, on the lines found by slope.
+// The length that segments cover, counting overlaps on a line once: by brute force, on lines found by slope.
 double covered_length(const std::vector<oracle::ScreenSegment>& segments) {
   double length = 0;
   std::vector<bool> taken(segments.size());
@@ -140,8 +140,8 @@ double covered_length(const std::vector<oracle::ScreenSegment>& segments) {
   return length;
 }
 
-// The truth of a scene of cells, once by the lines of the comparison and once by the oracle's own segments.
-TEST(ImageLinesOfCells, HaveTheLengthTheOracleSees) {
+// The reference of a scene of cells, by the lines of the comparison and by the oracle's own segments.
+TEST(ImageLinesOfCells, HaveTheLengthOfTheOracle) {
   for (const char* name : {"house", "roberts", "street4", "corridor8"}) {
     SCOPED_TRACE(name);
     const scene::CellScene scene = scene::builtin_scene(name);
@@ -154,7 +154,7 @@ TEST(ImageLinesOfCells, HaveTheLengthTheOracleSees) {
     for (const auto& line : image.lines()) {
       measured += picture::total(line.visible) * picture::length_of(line.image);
       EXPECT_TRUE(ids.insert(line.id).second);
-      EXPECT_NEAR(picture::total(picture::without(line.visible, line.edges)), 0, 1e-9) << "only edges are seen";
+      EXPECT_NEAR(picture::total(picture::without(line.visible, line.edges)), 0, 1e-9) << "only edges are visible";
     }
     const double length = covered_length(oracle::on_screen(*oracle::visible_lines(scene, eye, screen()), eye, screen()));
     EXPECT_GT(length, 1000);
@@ -190,7 +190,7 @@ TEST(CompareCellScene, HasOneTrueLengthForAllRows) {
   }
 }
 
-TEST(LinesOfVectors, AreTheScenesLines) {
+TEST(LinesOfVectors, EqualTheScenesLines) {
   for (const char* name : {"house", "roberts", "street4", "corridor8"}) {
     SCOPED_TRACE(name);
     const scene::CellScene scene = scene::builtin_scene(name);
@@ -237,7 +237,7 @@ const ComparedPicture& picture_named(const SceneComparison& comparison, std::str
                        [name](const ComparedPicture& p) { return p.name == name; });
 }
 
-TEST(CompareCellScene, GuestIsTwinAndExactIsExact) {
+TEST(CompareCellScene, GuestEqualsTwinAndExactIsExact) {
   const SceneComparison comparison = compared("roberts");
   EXPECT_TRUE(comparison.agrees());
   ASSERT_TRUE(comparison.guest);
@@ -269,7 +269,7 @@ TEST(CompareCellScene, TakesEyeAndScale) {
   EXPECT_FALSE(compare_cell_scene(scene::builtin_scene("house"), options));
 }
 
-TEST(ComparePolyScene, RefusesAnEyeInASolid) {
+TEST(ComparePolyScene, RejectsAnEyeInASolid) {
   const scene::PolyScene scene = scene::generate_boxes(3);
   scene::PolyCamera camera = scene.camera;
   EXPECT_TRUE(compare_poly_scene(scene, camera)->agrees());
@@ -278,8 +278,8 @@ TEST(ComparePolyScene, RefusesAnEyeInASolid) {
   EXPECT_FALSE(compare_poly_scene(scene, camera));
 }
 
-// Seen level, the tops and bottoms of boxes are lines: of edges behind each other the nearest is drawn.
-TEST(ComparePolyScene, OfEdgesThatLieOnEachOtherInTheImageOneIsEnough) {
+// Seen horizontally, the tops and bottoms of boxes are lines: of edges behind each other only the nearest is drawn.
+TEST(ComparePolyScene, OfEdgesThatCoincideInTheImageOneIsEnough) {
   scene::PolyScene scene = scene::generate_boxes(8);
   scene::PolyCamera camera = scene.camera;
   camera.perspective = false;
@@ -293,15 +293,16 @@ TEST(ComparePolyScene, OfEdgesThatLieOnEachOtherInTheImageOneIsEnough) {
   expect_nothing(stripes.metrics);
   expect_nothing(exact.metrics);
   EXPECT_EQ(stripes.metrics.true_length, exact.metrics.true_length);
-  // The edges one by one are longer.
+  // The sum over the individual edges is longer.
   const auto all = algorithms::exact::visible_edges(scene, camera);
   const double edges = picture::image_length(all, scene, camera) * comparison.frame.scale;
   EXPECT_LT(stripes.metrics.true_length, 0.9 * edges);
   EXPECT_GT(stripes.metrics.true_length, 0.3 * edges);
 }
 
-// The eye of a parallel view is only the origin of the image: within the scene and far beside it the same is
-// seen, and all faces as the nearest ones, those seen end-on too.
+// The eye of a parallel view only gives the origin of the image: from within the scene and from far away the same lines are
+// visible,
+// and all faces equal the nearest ones, including those seen end-on.
 TEST(ComparePolyScene, FacesInParallelProjectionAreTheNearestOnes) {
   const scene::PolyCamera level{false, {}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}};
   const scene::PolyCamera oblique{false, {}, {-4, -3, -4}, {4, 0, -4}, {-12, 32, -12}};
@@ -326,7 +327,7 @@ TEST(ComparePolyScene, FacesInParallelProjectionAreTheNearestOnes) {
   }
 }
 
-// At angle 0 the machine shows what a viewer on the positive z axis sees, at a quarter turn one on the positive x axis.
+// At angle 0 the machine shows the view from the positive z axis, after a quarter turn the view from the positive x axis.
 TEST(CompareTurn, AnglesOfTheMachineAreThoseOfCameras) {
   const auto along = [](std::int32_t x, std::int32_t y, std::int32_t z) {
     scene::PolyCamera camera{false, {0, 0, 0}, {x, y, z}, {z, 0, -x}, {0, 1, 0}};
@@ -342,8 +343,8 @@ TEST(CompareTurn, AnglesOfTheMachineAreThoseOfCameras) {
   EXPECT_FALSE(turn_angle_of(scene::PolyCamera{}));  // in perspective
 }
 
-// A flash is no farther than the machine's words and the wandering of its beam explain (host/programs/turn/precision.hpp).
-TEST(CompareTurn, IsItsTwinAndNearTheExactLines) {
+// A flash is no farther off than the machine's words and the deviation of its beam explain (host/programs/turn/precision.hpp).
+TEST(CompareTurn, EqualsItsTwinAndIsNearTheExactLines) {
   for (const std::uint32_t angle : {0U, 26843U, 40000U, 123456U, 262143U}) {
     const auto check = check_turn(scene::generate_boxes(5, 3), angle);
     ASSERT_TRUE(check) << check.error().message();
@@ -351,11 +352,11 @@ TEST(CompareTurn, IsItsTwinAndNearTheExactLines) {
     EXPECT_EQ(check->difference, "");
     EXPECT_GT(check->flashes, 1000U);
     EXPECT_LE(check->distance.greatest, check->bound) << angle;
-    // What was seen before there was a bound, and that the bound says something.
+    // The largest distance seen so far; it shows that the bound has an effect.
     EXPECT_LT(check->distance.greatest, 3.7) << angle;
     EXPECT_LT(check->distance.usual, 3) << angle;
     EXPECT_LT(check->bound, 6) << angle;
-    // By the program's own rule only ends that words have put a point aside differ.
+    // By the program's own rule only ends that rounding moved by a point differ.
     EXPECT_GT(check->raster.lit_in_truth, 1000U);
     EXPECT_LT(check->raster.missing.all + check->raster.extra.all, check->raster.lit_in_truth / 100) << angle;
     EXPECT_EQ(check->raster.missing.beyond_2 + check->raster.extra.beyond_2, 0U) << angle;
@@ -366,8 +367,8 @@ TEST(CompareTurn, IsItsTwinAndNearTheExactLines) {
   EXPECT_NE(large.error().message().find("720 edges"), std::string::npos) << large.error().message();
 }
 
-// Of a box seen level: three upright edges, and its top and its bottom as one line each, in which two or more edges lie on each other.
-TEST(CompareTurn, LinesThatLieOnEachOtherCountOnce) {
+// A box seen horizontally: three upright edges, and its top and its bottom as one line each, on which two or more edges coincide.
+TEST(CompareTurn, CoincidentLinesCountOnce) {
   scene::PolyScene box;
   box.vertices = {{-10, 0, -5}, {10, 0, -5}, {10, 60, -5}, {-10, 60, -5}, {-10, 0, 5}, {10, 0, 5}, {10, 60, 5}, {-10, 60, 5}};
   box.bodies = {{"", true, {{{3, 2, 1, 0}, {}}, {{4, 5, 6, 7}, {}}, {{0, 1, 5, 4}, {}}, {{1, 2, 6, 5}, {}}, {{2, 3, 7, 6}, {}}, {{3, 0, 4, 7}, {}}}}};
@@ -404,7 +405,7 @@ TEST(SceneComparison, DoesNotAgreeIfAnyoneIsWrong) {
   EXPECT_FALSE(comparison.agrees());
 }
 
-TEST(CompareHeights, TwinAndGuestAreTheOraclesPictureAndNativeIsNear) {
+TEST(CompareHeights, TwinAndGuestEqualTheOracleAndNativeIsNear) {
   const auto grid = scene::sample(*scene::height_function("sinc"), {33, 60});
   algorithms::skala::View view;
   view.rotation = 30;
@@ -415,12 +416,12 @@ TEST(CompareHeights, TwinAndGuestAreTheOraclesPictureAndNativeIsNear) {
   EXPECT_EQ(comparison.rasters[1].metrics.different(), 0U) << "the twin, at this view";
   const picture::PixelMetrics& native = comparison.rasters[2].metrics;
   EXPECT_GT(native.lit, 5'000U);
-  // Vertices are not rounded to points by the native algorithm: dots move by one, and few by more.
+  // The native algorithm does not round vertices to points: dots move by one, few by more.
   EXPECT_LT(native.missing_far + native.extra_far, native.lit / 100);
   EXPECT_LT(native.interior_mismatch(), 0.01);
 }
 
-TEST(CompareHeights, SaysWhatItCannotCompare) {
+TEST(CompareHeights, ReportsWhatItCannotCompare) {
   auto grid = scene::sample(*scene::height_function("sinc"), {9, 9});
   algorithms::skala::View view;
   EXPECT_FALSE(why_not_comparable(grid, view));

@@ -1,4 +1,5 @@
-// The table of algorithms, and sweeps: lines that depend on nothing but what they should, shards that are the whole, and the table of
+// The table of algorithms, and sweeps: lines that depend only on their inputs, shards that together equal the whole, and the
+// table of
 // all lines.
 #include "host/compare/sweep.hpp"
 
@@ -43,7 +44,7 @@ TEST(Algorithms, AreFoundByNameAndExactIsTheFirst) {
   EXPECT_EQ(registry::find_line_algorithm("Exact"), nullptr);
 }
 
-// What lines say together.
+// The summary of lines.
 SweepTable table_of(const std::vector<std::string>& lines) {
   SweepTable table;
   for (const std::string& line : lines) EXPECT_TRUE(table.add(line)) << line;
@@ -60,7 +61,7 @@ AnswerRow row_of(const SweepTable& table, std::string_view method) {
   throw std::runtime_error(std::string(method) + ": no row");
 }
 
-// Every entry of the table gives the same picture of everything it applies to.
+// Every entry of the table gives the same picture of everything to which it applies.
 TEST(Algorithms, AgreeOnEveryFamily) {
   for (const std::string_view family : {"boxes", "town", "triangles", "bricks"}) {
     const scene::PolyScene scene = generated(family, 5);
@@ -74,7 +75,7 @@ TEST(Algorithms, AgreeOnEveryFamily) {
       EXPECT_TRUE(table.add(line));
       EXPECT_FALSE(differs(line)) << family << ": " << line;
     }
-    // All but the oracle, which is the truth, and Plantinga's method, which draws few of these views.
+    // All but the oracle, which is the reference, and Plantinga's method, which draws few of these views.
     for (const registry::LineAlgorithm& algorithm : registry::line_algorithms()) {
       if (algorithm.name == "oracle" || algorithm.name == "plantinga") continue;
       EXPECT_EQ(row_of(table, algorithm.name).right, 6U) << algorithm.name;
@@ -82,8 +83,8 @@ TEST(Algorithms, AgreeOnEveryFamily) {
   }
 }
 
-// In parallel projection along level directions Plantinga's method and the solid turning on the PDP-7 draw every view.
-TEST(Sweep, LevelViewsAreDrawnByTurns) {
+// Plantinga's method and the solid turning on the PDP-7 draw every parallel view along level directions.
+TEST(Sweep, MethodsOfTurnsDrawLevelViews) {
   const scene::PolyScene scene = generated("boxes", 3);
   SweepOptions options;
   options.methods = {"exact", "plantinga", "turn-pdp7"};
@@ -95,7 +96,7 @@ TEST(Sweep, LevelViewsAreDrawnByTurns) {
   EXPECT_EQ(table.differing(), 0U);
   for (const char* const method : {"exact", "plantinga", "turn-pdp7"}) EXPECT_EQ(row_of(table, method).views, 4U) << method;
   EXPECT_TRUE(row_of(table, "turn-pdp7").emulated_seconds.has_value());
-  // Of usual views each is left out, with the reason.
+  // Every usual view is omitted, with the reason.
   options.directions = Directions::usual;
   const SweepTable usual = table_of({sweep_of(scene, options).line(0)});
   ASSERT_EQ(usual.left_out().size(), 2U);
@@ -125,7 +126,7 @@ TEST(SweepViews, AreInFreeSpaceAndOftenInThePlaneOfAFace) {
   EXPECT_NE(sweep_camera(scene, nullptr, false, 3, 0), sweep_camera(scene, nullptr, false, 4, 0));
 }
 
-// In perspective along +z, x to the right and y up: the one way the program of 1971 can look.
+// In perspective along +z, x to the right and y up: the only viewing direction of the program of 1971.
 bool looks_along_z(const scene::PolyCamera& camera) {
   const auto along = [](const scene::PolyPoint& axis, std::size_t which) {
     scene::PolyPoint other = axis;
@@ -145,7 +146,7 @@ TEST(SweepViews, OfCellsTurnInAllDirections) {
     const scene::PolyCamera straight = sweep_camera(scene, &cells, false, 3, k);
     EXPECT_TRUE(looks_along_z(straight));
     const scene::PolyCamera turned = sweep_camera(scene, &cells, true, 3, k);
-    EXPECT_EQ(turned.eye, straight.eye) << "the same places";
+    EXPECT_EQ(turned.eye, straight.eye) << "the same positions";
     EXPECT_EQ(turned, sweep_camera(scene, &cells, true, 3, k));
     along_z += looks_along_z(turned) ? 1 : 0;
     orthographic += turned.perspective ? 0 : 1;
@@ -174,7 +175,7 @@ TEST(Sweep, TurnedViewsAgree) {
   EXPECT_FALSE(sweep_of(scene, options, &cells).is_line(0, turned));
 }
 
-TEST(Sweep, SaysWhyAMethodDoesNotApply) {
+TEST(Sweep, ReportsWhyAMethodDoesNotApply) {
   const scene::CellScene cells = scene::builtin_scene("house");
   const scene::PolyScene scene = scene::poly_scene_of(cells);
   const auto reason = [&](const char* method, const scene::CellScene* of_cells, Directions directions) {
@@ -194,7 +195,7 @@ TEST(Sweep, SaysWhyAMethodDoesNotApply) {
   EXPECT_EQ(reason("turn-pdp7", nullptr, Directions::usual), "");
 }
 
-TEST(Sweep, ShardsAreTheWhole) {
+TEST(Sweep, ShardsEqualTheWhole) {
   for (const std::uint64_t views : {1U, 7U, 100U})
     for (const std::uint64_t count : {1U, 2U, 3U, 7U, 150U}) {
       std::uint64_t next = 0;
@@ -208,7 +209,7 @@ TEST(Sweep, ShardsAreTheWhole) {
     }
 }
 
-TEST(Sweep, KnowsItsOwnLines) {
+TEST(Sweep, RecognisesItsOwnLines) {
   const scene::PolyScene scene = generated("boxes", 3);
   SweepOptions options;
   const Sweep sweep = sweep_of(scene, options);
@@ -228,7 +229,7 @@ TEST(Sweep, KnowsItsOwnLines) {
   EXPECT_FALSE(sweep_of(other, {}).is_line(4, line));
 }
 
-// Nearest ranks by hand: of 1 to 10 the fifth and the ninth.
+// Nearest ranks by hand: of 1 to 10, the fifth and the ninth.
 TEST(SweepTable, IsMadeOfLines) {
   const auto line = [](int view, int wrong, const std::string& more) {
     return R"({"schema":"sightline/sweep/2","scene":"a","view":)" + std::to_string(view) + R"(,"results":{"jones-pdp7":{)" +
@@ -248,7 +249,7 @@ TEST(SweepTable, IsMadeOfLines) {
   EXPECT_EQ(row.emulated_seconds->ninety, 9);
   EXPECT_EQ(row.worst_view, 1U);
   EXPECT_EQ(table.differing(), 0U);
-  // A view that is not right is worse than any that is.
+  // A wrong view ranks worse than any correct one.
   EXPECT_TRUE(table.add(line(10, 1, ",\"defect\":\"word 3\"")));
   row = row_of(table, "jones-pdp7");
   EXPECT_EQ(row.right, 10U);
@@ -273,7 +274,7 @@ TEST(SweepTable, CountsWhatDiffers) {
   EXPECT_TRUE(differs(line(R"({"jones-pdp7":{"not_applicable":"no lines","defect":"word 3"}})")));
 }
 
-// A view's measures are those that `compare` has of the same camera, whose truth is the slow oracle.
+// A view's measures equal those of `compare` with the same camera, whose reference is the slow oracle.
 TEST(Sweep, MeasuresAsCompareDoes) {
   const scene::CellScene cells = scene::builtin_scene("house");
   const scene::PolyScene polyhedra = scene::poly_scene_of(cells);
@@ -288,7 +289,7 @@ TEST(Sweep, MeasuresAsCompareDoes) {
     EXPECT_EQ(table.differing(), 0U);
     CompareOptions compared;
     compared.methods = options.methods;
-    compared.faces = !of_cells;  // as naming willis asks for
+    compared.faces = !of_cells;  // as naming willis implies
     const auto methods = of_cells ? SceneMethods::of(cells, compared) : SceneMethods::of(boxes, compared);
     const auto comparison =
         methods->view(random_camera(of_cells ? polyhedra : boxes, of_cells ? &cells : nullptr, Directions::usual, 1, number));
@@ -327,7 +328,7 @@ TEST(Sweep, DiagnosesWhatAnExactMethodMisses) {
   EXPECT_FALSE(piece_difference(right, right).first.has_value());
 }
 
-TEST(Sweep, TheGuestAgainstItsTwin) {
+TEST(Sweep, TheGuestEqualsItsTwin) {
   const scene::CellScene cells = scene::builtin_scene("house");
   const scene::PolyScene scene = scene::poly_scene_of(cells);
   SweepOptions options;

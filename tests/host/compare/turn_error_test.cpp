@@ -1,4 +1,4 @@
-// The error of frames of a turn, against what it must be by hand and by law.
+// The error of frames of a turn, compared with hand computation and with laws.
 #include "host/compare/turn_error.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ std::vector<double> around(int frames) {
   return angles;
 }
 
-TEST(TurnError, ExactEventsHaveNoneAndJoinedOnesSome) {
+TEST(TurnError, ExactEventsHaveNoErrorAndJoinedOnesSome) {
   const plantinga::RotationModel model(scene::generate_boxes(5, 3));
   const auto frames = exact_frames(model, around(90));
   const auto exact = plantinga::build_event_list(model, {});
@@ -40,8 +40,8 @@ TEST(TurnError, ExactEventsHaveNoneAndJoinedOnesSome) {
   EXPECT_EQ(some.seen_length, none.seen_length);
 }
 
-// A frame half a turn away is another picture.
-TEST(TurnError, ShownIsTheFrameThatIsMeasured) {
+// A frame half a turn away is a different picture.
+TEST(TurnError, TheShownFrameIsTheMeasuredOne) {
   const plantinga::RotationModel model(scene::generate_boxes(5, 3));
   const auto frames = exact_frames(model, around(12));
   const auto list = plantinga::build_event_list(model, {});

@@ -1,4 +1,4 @@
-// What a drawing shows wrongly: cases worked out by hand, and the same lengths as sampling gives.
+// The errors of a drawing: cases computed by hand, and the same lengths as by sampling.
 #include "host/compare/wrong_stretches.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace oracle = algorithms::oracle;
 
 constexpr geometry::Point eye{0, 0, 0};
 
-// With S = 512 and z = 512 a unit is a point: the line y = 100 of that depth is the row 612.
+// With S = 512 and z = 512 a unit is a point: the line y = 100 at that depth is row 612.
 ImagePiece row_piece(double from, double to, std::int32_t y = 100, std::int32_t z = 512) {
   const double row = 512 + 512.0 * y / z;
   return {{0, {y, z}}, {from, row, to, row}};
@@ -40,8 +40,8 @@ TEST(WrongStretches, APictureIsRightWithinTheDistance) {
   EXPECT_NEAR(wrong_of(truth, {beside}).extra, 100, 1e-9);
 }
 
-// A point beyond each end of what is drawn is forgiven.
-TEST(WrongStretches, AGapIsMissingButForAPointAtItsEnds) {
+// A point beyond each end of a drawn piece is tolerated.
+TEST(WrongStretches, AGapIsMissingExceptForAPointAtItsEnds) {
   const WrongStretches wrong = wrong_of({row_piece(600, 700)}, {row_piece(600, 620), row_piece(650, 700)});
   EXPECT_NEAR(wrong.true_length, 100, 1e-9);
   EXPECT_NEAR(wrong.missing, 28, 1e-9);
@@ -55,9 +55,10 @@ TEST(WrongStretches, AGapIsMissingButForAPointAtItsEnds) {
   EXPECT_NEAR(stretch.at.y0, 612, 1e-9);
 }
 
-// The lines y = 100, z = 512 and y = 200, z = 1024 have one image, and so have, from an eye at their height,
-// one parallel to x and one parallel to z.
-TEST(WrongStretches, LinesOfOneImageCountOnce) {
+// The lines y = 100, z = 512 and y = 200, z = 1024 have the same image, and so have, from an eye at their height, a line parallel
+// to x
+// and one parallel to z.
+TEST(WrongStretches, LinesWithTheSameImageCountOnce) {
   const std::vector<ImagePiece> truth{row_piece(600, 700), row_piece(650, 750, 200, 1024)};
   EXPECT_NEAR(wrong_of(truth, {}).true_length, 150, 1e-9);
   EXPECT_NEAR(wrong_of(truth, {}).missing, 150, 1e-9);
@@ -70,18 +71,18 @@ TEST(WrongStretches, LinesOfOneImageCountOnce) {
   EXPECT_NEAR(wrong_of({column, upright}, {}).true_length, 100, 1e-9);
 }
 
-TEST(WrongStretches, TheShortestAreLeftOut) {
+TEST(WrongStretches, TheShortestAreOmitted) {
   EXPECT_EQ(wrong_of({row_piece(600, 601.2)}, {row_piece(600, 600)}).length(), 0);
   EXPECT_NEAR(wrong_of({row_piece(600, 601.3)}, {row_piece(600, 600)}).missing, 0.3, 1e-9);
 }
 
 // Sampled in steps of a 200th of a point: the oracle's measure of the picture enlarged 50 times.
-TEST(WrongStretches, AreThoseThatSamplingFinds) {
+TEST(WrongStretches, EqualThoseFoundBySampling) {
   constexpr double enlarged = 50;
   programs::jones::Dice dice(7);
   const auto place = [&dice] { return dice(0, 400) / 4.0; };
   for (int round = 0; round < 50; ++round) {
-    // Rows, and lines along z, whose images run from the middle of the screen; no two of one image.
+    // Rows, and lines along z, whose images start at the middle of the screen; no two have the same image.
     std::vector<ImagePiece> pieces;
     for (std::int32_t n = 0; n < 6; ++n) {
       const double a = place(), b = place();
@@ -102,7 +103,7 @@ TEST(WrongStretches, AreThoseThatSamplingFinds) {
     const oracle::DrawnError error = oracle::drawn_error(sampled(truth), sampled(drawn), enlarged);
     const WrongStretches wrong = wrong_of(truth, drawn);
     EXPECT_NEAR(wrong.true_length, error.true_length / enlarged, 1e-6) << "round " << round;
-    // What is left out is shorter than a quarter of a point.
+    // Omitted stretches are shorter than a quarter of a point.
     EXPECT_NEAR(wrong.missing, error.missing / enlarged, 1.5) << "round " << round;
     EXPECT_NEAR(wrong.extra, error.extra / enlarged, 1.5) << "round " << round;
   }

@@ -1,4 +1,4 @@
-// A lesson as JSON and as a page, and the stage it is drawn on.
+// A lesson as JSON and as a page, and the stage on which it is drawn.
 #include "host/explain/lesson.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ Lesson small_lesson(const std::string& scene) {
   return lesson;
 }
 
-TEST(LessonJson, HasAllThatTheLessonHas) {
+TEST(LessonJson, HasAllPartsOfTheLesson) {
   const auto json = base::parse_json(json_of(small_lesson("house")), "lesson");
   ASSERT_TRUE(json);
   EXPECT_EQ(*json->find("schema")->text(), "sightline/explain/1");
@@ -44,7 +44,7 @@ TEST(LessonJson, HasAllThatTheLessonHas) {
   EXPECT_EQ((*(*first.find("layers"))[0].find("marks"))[2].dump(), R"(["label","other",3,4,"face 5"])");
 }
 
-TEST(LessonPage, NothingInALessonEndsItsScript) {
+TEST(LessonPage, NoTextInALessonEndsItsScript) {
   const std::string page = page_of(small_lesson("</script><script>alert(1)//"));
   std::size_t scripts = 0;
   for (std::size_t at = page.find("</script"); at != std::string::npos; at = page.find("</script", at + 1)) ++scripts;
@@ -58,7 +58,7 @@ TEST(LessonPage, NothingInALessonEndsItsScript) {
   EXPECT_EQ(*json->find("scene")->text(), "</script><script>alert(1)//");
 }
 
-TEST(LessonSteps, EndWhereTheyAreTooMany) {
+TEST(LessonSteps, StopAtTheLimit) {
   Lesson lesson;
   Steps steps(lesson);
   std::size_t added = 0;
@@ -77,14 +77,14 @@ scene::PolyScene two_points(scene::PolyPoint a, scene::PolyPoint b) {
   return scene;
 }
 
-TEST(ImageStage, CutsWhatIsBehindTheEye) {
+TEST(ImageStage, ClipsLinesBehindTheEye) {
   const scene::PolyScene scene = two_points({0, 0, -50}, {0, 10, 50});
   const ImageStage stage(scene, {true, {0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}});
   EXPECT_TRUE(stage.line_in_image({0, 0, -1}, {5, 5, -10}).empty());
   const auto cut = stage.line_in_image(space(scene.vertices[0]), space(scene.vertices[1]));
   ASSERT_EQ(cut.size(), 2U);
-  EXPECT_NEAR(cut[1][1], 0.2, 1e-12);  // the far end is whole: 10 / 50
-  EXPECT_GT(cut[0][1], cut[1][1]);     // the near end is where the line passes the plane before the eye
+  EXPECT_NEAR(cut[1][1], 0.2, 1e-12);  // the far end is complete: 10 / 50
+  EXPECT_GT(cut[0][1], cut[1][1]);     // the near end is where the line crosses the plane in front of the eye
 }
 
 TEST(ImageStage, IsThePictureOfTheCamera) {
@@ -97,8 +97,8 @@ TEST(ImageStage, IsThePictureOfTheCamera) {
   EXPECT_NEAR(parallel.line_in_image({20, 30, -500}, {0, 0, 0})[0][0], 10, 1e-12);
 }
 
-// A scene behind the eye leaves nothing to draw, and a sheet that can be drawn on all the same.
-TEST(ImageStage, HasNothingOfASceneBehindTheEye) {
+// A scene behind the eye gives an empty sheet, which can be drawn all the same.
+TEST(ImageStage, IsEmptyForASceneBehindTheEye) {
   const scene::PolyScene scene = two_points({0, 0, 0}, {1, 0, 0});
   const ImageStage stage(scene, {true, {0, 0, 500}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}});
   EXPECT_TRUE(stage.wire_frame().empty());
@@ -119,21 +119,21 @@ TEST(ImageStage, CutsAnOutlineThatPassesTheEye) {
   for (const Point& p : outline) EXPECT_LE(p[1], -1.0 / 50 + 1e-12) << "below the horizon, and no nearer than the far side";
 }
 
-TEST(LessonJson, NamesEveryLook) {
+TEST(LessonJson, NamesEveryStyle) {
   std::set<std::string_view> names;
   for (int look = 0; look <= static_cast<int>(Look::mask); ++look) {
     EXPECT_FALSE(name_of(static_cast<Look>(look)).empty());
     names.insert(name_of(static_cast<Look>(look)));
   }
   EXPECT_EQ(names.size(), 8U);
-  // The player knows them all.
+  // The player knows all of them.
   std::string player;
   for (const auto& [name, content] : player_files())
     if (name == "player.js") player = content;
   for (const std::string_view name : names) EXPECT_NE(player.find(std::string(name) + ": ["), std::string::npos) << name;
 }
 
-TEST(LessonJson, RoundsToFourDigitsAndKeepsWhatCannotBeRounded) {
+TEST(LessonJson, RoundsToFourDigitsAndKeepsSpecialValues) {
   Lesson lesson = small_lesson("a\\b\n\"c\"\u00e9");
   lesson.sheets[0].high = {1e9 + 0.5, 0.00005};
   const auto json = base::parse_json(json_of(lesson), "lesson");
@@ -143,7 +143,7 @@ TEST(LessonJson, RoundsToFourDigitsAndKeepsWhatCannotBeRounded) {
   EXPECT_EQ((*(*json->find("sheets"))[0].find("high"))[1].number(), 0.0001);
 }
 
-TEST(CutOutline, KeepsTheSideThatIsAskedFor) {
+TEST(CutOutline, KeepsTheRequestedSide) {
   const std::vector<Point> square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   EXPECT_EQ(cut_outline(square, 1, 0, 1).size(), 4U);
   for (const Point& p : cut_outline(square, 1, 0, 1)) EXPECT_GE(p[0], 1);

@@ -28,7 +28,7 @@ scene::LoadedScene loaded(const std::string& name) {
 
 scene::PolyCamera parallel() { return {false, {0, 0, 0}, {50, -30, 86}, {86, 0, -50}, {30 * 50, 86 * 86 + 50 * 50, 30 * 86}}; }
 
-// Sheets that exist, marks that are whole, captions, and counts with the same names throughout that never fall.
+// Sheets exist, marks are complete, there are captions, and counts have the same names throughout and never decrease.
 void expect_lawful(const Lesson& lesson, const std::string& what) {
   ASSERT_GT(lesson.steps.size(), 3U) << what;
   EXPECT_LE(lesson.steps.size(), most_steps) << what;
@@ -61,7 +61,7 @@ void expect_lawful(const Lesson& lesson, const std::string& what) {
 
 class Lessons : public testing::TestWithParam<std::string> {};
 
-TEST_P(Lessons, AreLawfulOnEveryScene) {
+TEST_P(Lessons, SatisfyTheLawsOnEveryScene) {
   const Explainer& explainer = *find_explainer(GetParam());
   if (explainer.heights != nullptr) {
     for (const scene::HeightFunction& function : scene::height_functions()) {
@@ -89,7 +89,7 @@ TEST_P(Lessons, AreLawfulOnEveryScene) {
 INSTANTIATE_TEST_SUITE_P(Each, Lessons, testing::Values("exact", "jones", "skala", "montani-re", "willis", "plantinga"),
                          [](const auto& each) { return each.param == "montani-re" ? "montani_re" : each.param; });
 
-// What a lesson of lines ends with is the picture of `exact`, piece for piece; Montani and Re draw lines that lie on each other once.
+// A lesson of lines ends with the picture of `exact`, piece by piece; Montani and Re draw coincident lines once.
 TEST(Lessons, EndWithThePicture) {
   for (const char* const name : {"house", "roberts", "boxes-4", "bricks-3"}) {
     const scene::LoadedScene source = loaded(name);
@@ -124,8 +124,8 @@ std::uint64_t count_of(const Step& step, const std::string& name) {
   return 0;
 }
 
-// The lesson of a scene of cells is of its own cells: the search visits what the program on the PDP-7 visits in a field of 127 degrees. (In 90
-// degrees, its usual field, street4 takes two visits less: the search has no window.)
+// The lesson of a scene of cells uses the scene's cells: the search visits what the program on the PDP-7 visits in a field of 127
+// degrees. (In its default field of 90 degrees street4 takes two visits less: the search has no window.)
 TEST(Lessons, OfJonesVisitTheCellsThatTheProgramVisits) {
   for (const std::string name : {"house", "roberts", "corridor8", "corridor32", "street4"}) {
     const scene::LoadedScene source = loaded(name);
@@ -150,9 +150,10 @@ TEST(Lessons, OfJonesVisitTheCellsThatTheProgramVisits) {
   }
 }
 
-// The state of house at the end of Jones's lesson: no cell waits and none is the step's. On the way every portal that a visit meets is in one
-// count and no other, and a step names those that lead back towards the eye.
-TEST(Lessons, OfJonesTellEveryPortalOnce) {
+// The state of house at the end of Jones's lesson: no cell waits and none belongs to the step. Before that every portal that a
+// visit
+// meets is in exactly one count, and a step names those that lead back towards the eye.
+TEST(Lessons, OfJonesCountEveryPortalOnce) {
   for (const std::string name : {"house", "street4", "boxes-3"}) {
     const scene::LoadedScene source = loaded(name);
     const auto lesson = explain_scene(*find_explainer("jones"), source, source.scene.camera);
@@ -184,7 +185,8 @@ TEST(Lessons, OfJonesTellEveryPortalOnce) {
     EXPECT_GT(named_away, 1U) << name;
     EXPECT_GT(*std::max_element(waiting.begin(), waiting.end()), 1U) << name;
   }
-  // By hand, from the plan of the house: from cell 1 the doors to cells 0 and 2 lead back, and both other rooms wait after cell 0.
+  // By hand, from the plan of the house: from cell 1 the doors to cells 0 and 2 lead back, and both other rooms wait after cell
+  // 0.
   const scene::LoadedScene house = loaded("house");
   const auto lesson = explain_scene(*find_explainer("jones"), house, house.scene.camera);
   std::size_t last_first = 0;
@@ -197,7 +199,7 @@ TEST(Lessons, OfJonesTellEveryPortalOnce) {
   EXPECT_EQ(last_first, 1U);
 }
 
-// Whatever a step of lines draws lies within the mask of its step, and the sheet is the field of the program on the PDP-7: 90 degrees.
+// Lines drawn by a step lie within its mask, and the sheet is the field of the program on the PDP-7: 90 degrees.
 TEST(Lessons, OfJonesDrawLinesWithinTheMask) {
   for (const std::string name : {"house", "street4"}) {
     const scene::LoadedScene source = loaded(name);
@@ -208,7 +210,7 @@ TEST(Lessons, OfJonesDrawLinesWithinTheMask) {
     std::size_t drawn = 0;
     for_each_state(*lesson, 0, [&](const Step& step, std::map<std::string, std::vector<Mark>>& layers) {
       if (step.caption.find("clipped to the mask: ") == std::string::npos) return;
-      if (layers["mask"].empty()) return;  // beside the sheet
+      if (layers["mask"].empty()) return;  // off the sheet
       const std::vector<Point>& mask = layers["mask"].front().points;
       double area = 0;
       for (std::size_t i = 0; i < mask.size(); ++i) {
@@ -219,12 +221,12 @@ TEST(Lessons, OfJonesDrawLinesWithinTheMask) {
       for (const Mark& mark : layers["line"]) {
         EXPECT_EQ(mark.look, Look::now) << name << ": " << step.caption;
         ++drawn;
-        if (lesson->sheets[0].low == *std::min_element(mask.begin(), mask.end())) continue;  // the sheet bounds it, not the mask
+        if (lesson->sheets[0].low == *std::min_element(mask.begin(), mask.end())) continue;  // bounded by the sheet, not the mask
         for (const Point& at : mark.points)
           for (std::size_t i = 0; i < mask.size(); ++i) {
             const Point& p = mask[i];
             const Point& q = mask[(i + 1) % mask.size()];
-            // The border of the sheet is no side of the mask.
+            // The border of the sheet is not a side of the mask.
             if ((p[0] == q[0] && std::abs(p[0]) == 1) || (p[1] == q[1] && std::abs(p[1]) == 1)) continue;
             const double left = (q[0] - p[0]) * (at[1] - p[1]) - (q[1] - p[1]) * (at[0] - p[0]);
             EXPECT_GE(area > 0 ? left : -left, -1e-9) << name << ": " << step.caption;
@@ -235,14 +237,14 @@ TEST(Lessons, OfJonesDrawLinesWithinTheMask) {
   }
 }
 
-// With the eye outside the lines in the outer walls have a mask, and no cell is named before one is entered.
+// If the eye is outside, the lines in the outer walls have a mask, and no cell is named before one is entered.
 TEST(Lessons, OfJonesFromOutsideHaveAMaskFirst) {
   const scene::LoadedScene boxes = loaded("boxes-3");
   const auto perspective = explain_scene(*find_explainer("jones"), boxes, boxes.scene.camera);
   ASSERT_TRUE(perspective);
   bool inside = false;
   for_each_state(*perspective, 0, [&](const Step& step, std::map<std::string, std::vector<Mark>>& layers) {
-    inside |= step.caption.find(" is entered.") != std::string::npos;  // then its mask may be beside the sheet
+    inside |= step.caption.find(" is entered.") != std::string::npos;  // then its mask may be off the sheet
     EXPECT_TRUE(inside || step.caption.find("mask") == std::string::npos || !layers["mask"].empty()) << step.caption;
   });
   const scene::LoadedScene source = loaded("house");
@@ -264,7 +266,7 @@ TEST(Lessons, OfJonesFromOutsideHaveAMaskFirst) {
   EXPECT_EQ(outer, 1U);
 }
 
-// The arrow of the plan is the direction of view, whichever axis is up the sheet.
+// The arrow of the plan is the viewing direction, whichever axis points up on the sheet.
 TEST(PlanStage, HasAnArrowInTheDirectionOfView) {
   const scene::PolyScene scene = loaded("boxes-3").scene;
   for (const bool perspective : {true, false}) {
@@ -285,8 +287,8 @@ TEST(PlanStage, HasAnArrowInTheDirectionOfView) {
   }
 }
 
-// A lesson that has no room for more ends the search there, and says so.
-TEST(Lessons, OfJonesEndWhereTheyAreTooMany) {
+// A lesson at its size limit ends the search there, with a message.
+TEST(Lessons, OfJonesStopAtTheLimit) {
   const scene::LoadedScene source = loaded("boxes-40");
   const auto lesson = explain_scene(*find_explainer("jones"), source, source.scene.camera);
   ASSERT_TRUE(lesson);
@@ -295,7 +297,7 @@ TEST(Lessons, OfJonesEndWhereTheyAreTooMany) {
 }
 
 // A lesson of a turn begins and ends with the picture of `exact`, and passes every event once.
-TEST(Lessons, OfATurnAreOfTheExactPicture) {
+TEST(Lessons, OfATurnBeginAndEndWithTheExactPicture) {
   for (const char* const name : {"house", "roberts", "boxes-4", "triangles-8"}) {
     scene::PolyScene scene = loaded(name).scene;
     scene.camera = {false, {0, 0, 0}, {-271, 0, 314}, {314, 0, 271}, {0, 1, 0}};
@@ -310,7 +312,7 @@ TEST(Lessons, OfATurnAreOfTheExactPicture) {
         EXPECT_EQ(count_of(step, "events passed"), ++events) << name;
         EXPECT_FALSE(layers["edge"].empty() && layers["cause"].empty()) << name << ": " << step.caption;
       }
-      // Between events all of the graph is drawn.
+      // Between events the complete graph is drawn.
       if (step.caption.starts_with("The structure stays")) {
         EXPECT_EQ(layers["seen"].size(), count_of(step, "pieces seen")) << name;
       }
@@ -329,7 +331,7 @@ TEST(Lessons, OfATurnAreOfTheExactPicture) {
   }
 }
 
-// The chart explains the colours of the groups of events that there are, as many as the caption counts.
+// The chart explains the colours of the occurring groups of events, as many as the caption counts.
 TEST(Lessons, OfATurnExplainTheEventsThatOccur) {
   std::size_t with_less = 0;
   for (const char* const name : {"house", "boxes-2", "boxes-3", "triangles-8"}) {
@@ -354,7 +356,7 @@ TEST(Lessons, OfATurnExplainTheEventsThatOccur) {
   EXPECT_GT(with_less, 0U);
 }
 
-// The picture is the camera's, not its mirror image, whichever way its right, up and forward turn.
+// The picture is the camera's and not its mirror image, for any handedness of right, up and forward.
 TEST(Lessons, OfATurnAreNotMirrored) {
   for (const char* const name : {"house", "boxes-3"}) {
     const scene::PolyScene scene = loaded(name).scene;
@@ -367,7 +369,7 @@ TEST(Lessons, OfATurnAreNotMirrored) {
       const Layer& drawn = lesson->steps[0].changes[0];
       ASSERT_EQ(drawn.name, "wire");
       ASSERT_EQ(drawn.marks.size(), wire.size());
-      // The same but for a shift.
+      // The same except for a shift.
       const double shift = drawn.marks[0].points[0][0] - wire[0].points[0][0];
       for (std::size_t i = 0; i < wire.size(); ++i)
         for (std::size_t end = 0; end < 2; ++end)
@@ -377,7 +379,7 @@ TEST(Lessons, OfATurnAreNotMirrored) {
   }
 }
 
-TEST(Lessons, OfAPerspectiveCameraSayWhatATurnTakesOfIt) {
+TEST(Lessons, OfAPerspectiveCameraNameTheUsedPartOfIt) {
   const scene::LoadedScene source = loaded("house");
   const auto perspective = find_explainer("plantinga")->scene(source.scene, source.scene.camera, nullptr);
   ASSERT_TRUE(perspective);
@@ -391,7 +393,7 @@ TEST(Lessons, OfAPerspectiveCameraSayWhatATurnTakesOfIt) {
   EXPECT_TRUE(find_explainer("plantinga")->scene(source.scene, above, nullptr));
 }
 
-TEST(Lessons, AreThereForEveryBuiltInSceneOrAnErrorSaysWhyNot) {
+TEST(Lessons, ExistForEveryBuiltInSceneOrAnErrorSaysWhyNot) {
   std::size_t made = 0;
   for (const std::string_view name : scene::builtin_scene_names()) {
     const scene::LoadedScene source = loaded(std::string(name));
@@ -415,7 +417,7 @@ TEST(Explainers, AreTheFiveOfThePapersAndExact) {
   EXPECT_EQ(find_explainer("nothing"), nullptr);
 }
 
-TEST(Lessons, RefuseWhatCannotBeFollowed) {
+TEST(Lessons, RejectUnsuitableScenes) {
   const scene::LoadedScene large = loaded("boxes-200");
   EXPECT_FALSE(find_explainer("willis")->scene(large.scene, large.scene.camera, nullptr));
   EXPECT_FALSE(find_explainer("plantinga")->scene(large.scene, large.scene.camera, nullptr));

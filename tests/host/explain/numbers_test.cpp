@@ -1,4 +1,4 @@
-// What a caption names carries its number: in the image, in the plan or the chart, or in both. And where a label stands on its outline.
+// What a caption names is numbered: in the image, in the plan or the chart, or in both. Also the position of labels on outlines.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ Lesson lesson_of(const std::string& algorithm, const std::string& name) {
   return std::move(*lesson);
 }
 
-// "cell 3", "portal 5", "face 7", "surface 12", and of an edge and a vertex the number alone: as the reader finds them in a caption.
+// "cell 3", "portal 5", "face 7", "surface 12"; for an edge and a vertex only the number: as readers find them in a caption.
 std::set<std::string> named_in(const std::string& caption) {
   static const std::regex thing(R"(\b(cell|portal|face|surface) (\d+))", std::regex::icase);
   static const std::regex things(R"(\b(face|surface|portal)s (\d+)(?: and |, )(\d+))", std::regex::icase);
@@ -58,7 +58,7 @@ std::set<std::string> named_in(const std::string& caption) {
   return names;
 }
 
-// The words on a sheet: "surface 3, cell 2" are two.
+// The words on a sheet: "surface 3, cell 2" counts as two.
 std::set<std::string> words_of(const std::map<std::string, std::vector<Mark>>& layers) {
   std::set<std::string> words;
   for (const auto& [name, marks] : layers) {
@@ -75,10 +75,10 @@ std::set<std::string> words_of(const std::map<std::string, std::vector<Mark>>& l
 struct Case {
   const char* algorithm;
   std::vector<std::string> scenes;
-  std::vector<std::size_t> sheets;  // on which all that is named has its number
+  std::vector<std::size_t> sheets;  // on which everything named has its number
 };
 
-TEST(LessonNumbers, AreThereForAllThatACaptionNames) {
+TEST(LessonNumbers, ExistForEverythingThatACaptionNames) {
   const std::vector<Case> cases{
       {"exact", {"boxes-2", "roberts"}, {0}},
       {"jones", {"house", "street4", "town-2"}, {1}},
@@ -106,7 +106,7 @@ TEST(LessonNumbers, AreThereForAllThatACaptionNames) {
           for (const Mark& mark : state[sheet]["numbers"]) {
             for (std::size_t a = 0; a < 2; ++a)
               EXPECT_TRUE(mark.points[0][a] >= box.low[a] - 1e-9 && mark.points[0][a] <= box.high[a] + 1e-9)
-                  << each.algorithm << " of " << scene << ": " << mark.text << " is beside the sheet";
+                  << each.algorithm << " of " << scene << ": " << mark.text << " is off the sheet";
           }
           EXPECT_LE(state[sheet]["numbers"].size(), 64U) << each.algorithm << " of " << scene;
         }
@@ -116,7 +116,7 @@ TEST(LessonNumbers, AreThereForAllThatACaptionNames) {
   }
 }
 
-// In the image a cell that is entered has its number in its mask, and a portal that is before the eye its own.
+// In the image an entered cell has its number in its mask, and a portal in front of the eye has its own number.
 TEST(LessonNumbers, OfJonesAreInTheImage) {
   for (const std::string scene : {"house", "street4"}) {
     const Lesson lesson = lesson_of("jones", scene);
@@ -161,7 +161,7 @@ TEST(LessonNumbers, DoNotChangeTheirPlaceInThePlan) {
   EXPECT_GT(seen, 300U);
 }
 
-// A point is within an outline if a ray to the right, tilted so that it meets no corner, crosses it an odd number of times.
+// A point is inside an outline if a ray to the right, tilted so that it meets no corner, crosses it an odd number of times.
 bool within(const std::vector<Point>& outline, const Point& p) {
   bool inside = false;
   const double slope = 0.0123456789;
@@ -180,7 +180,7 @@ TEST(LabelPoint, IsWithinTheOutline) {
   const std::vector<Point> square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   EXPECT_EQ(label_point(square), (Point{2, 2}));
   EXPECT_EQ(label_point(square, 0.75), (Point{2, 3}));
-  // Its centre of gravity is outside.
+  // Its centroid is outside.
   const std::vector<Point> horseshoe{{0, 0}, {6, 0}, {6, 5}, {4, 5}, {4, 1}, {1, 1}, {1, 5}, {0, 5}};
   EXPECT_EQ(label_point(horseshoe), (Point{5, 2.5})) << "the broader leg";
   std::mt19937 random(7);
@@ -201,7 +201,7 @@ TEST(LabelPoint, OfAnOutlineWithoutAnAreaIsOnIt) {
   EXPECT_EQ(label_point({{2, 1}}), (Point{2, 1}));
 }
 
-// The length of a line within the box of 90 degrees.
+// The length of a line within the field of 90 degrees.
 double length_within(const Point& from, const Point& to) {
   double low = 0, high = 1;
   for (std::size_t a = 0; a < 2; ++a) {
@@ -216,8 +216,9 @@ double length_within(const Point& from, const Point& to) {
   return high > low ? (high - low) * std::hypot(to[0] - from[0], to[1] - from[1]) : 0;
 }
 
-// With the eye in a cell the lesson draws what the oracle of cells sees of the real lines, and nothing else: the corners of the room are
-// among them, the joints of solids are not.
+// If the eye is in a cell the lesson draws exactly the real lines that the oracle of cells sees: the corners of the room are
+// among
+// them, the joints of solids are not.
 TEST(LessonOfJones, ShowsTheRealLines) {
   namespace oracle = algorithms::oracle;
   for (const std::string name : {"house", "street4", "corridor8"}) {

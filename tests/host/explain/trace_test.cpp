@@ -1,4 +1,4 @@
-// A traced search gives what the untraced one gives, and tells as much as it has counted.
+// A traced search gives the same result as an untraced one, and reports as much as it has counted.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -101,7 +101,7 @@ TEST(SkalaTrace, ChangesNothing) {
     void row_ended(std::span<const float> top, std::span<const float> bottom) override {
       ++rows;
       ASSERT_EQ(top.size(), bottom.size());
-      // The masks only grow.
+      // The masks never shrink.
       for (std::size_t c = 0; c < before.size(); ++c) EXPECT_GE(top[c], before[c]);
       before.assign(top.begin(), top.end());
     }
@@ -180,7 +180,7 @@ TEST(WillisTrace, ChangesNothing) {
 
 namespace pl = algorithms::plantinga;
 
-// Counts, and checks that what it is told fits the model.
+// Counts, and checks that the reports fit the model.
 struct PlantingaCounter final : pl::Trace {
   explicit PlantingaCounter(const pl::RotationModel& m) : model(m), potentials(m.edges().size()) {}
 
@@ -206,7 +206,7 @@ struct PlantingaCounter final : pl::Trace {
     EXPECT_EQ(edge, studied);
     comparisons = changed = 0;
   }
-  // The faces that are said to be edge-on are, exactly.
+  // The faces reported as edge-on are exactly edge-on.
   void potential(const pl::PotentialEvent& event) override {
     EXPECT_EQ(event.edge, studied);
     potentials[event.edge].push_back(event.direction);

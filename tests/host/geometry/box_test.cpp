@@ -1,4 +1,4 @@
-// Laws of boxes on all small ones, and of the tree over them against one test each.
+// Laws of boxes for all small ones, and of the tree over them, compared with a test of each box.
 #include "host/geometry/box.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace sightline::geometry {
 namespace {
 
-TEST(Span, KeepsTheLawsOnAllSmallOnes) {
+TEST(Span, SatisfiesTheLawsForAllSmallSpans) {
   for (std::int32_t a = -2; a <= 2; ++a) {
     for (std::int32_t b = -2; b <= 2; ++b) {
       const Span s{a, b};
@@ -36,7 +36,7 @@ TEST(Span, KeepsTheLawsOnAllSmallOnes) {
 class RandomBoxes {
  public:
   explicit RandomBoxes(std::int32_t reach) : reach_(reach) {}
-  // Perhaps flat, never turned inside out.
+  // Perhaps flat, never inverted.
   Box next() {
     Box box;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -56,7 +56,7 @@ class RandomBoxes {
   std::int32_t reach_;
 };
 
-TEST(Box, KeepsTheLawsAtRandom) {
+TEST(Box, SatisfiesTheLawsForRandomBoxes) {
   for (const std::int32_t reach : {2, 30, coordinate_limit - 1}) {
     RandomBoxes boxes(reach);
     for (int i = 0; i < 1000; ++i) {
@@ -85,7 +85,7 @@ TEST(Box, KeepsTheLawsAtRandom) {
   }
 }
 
-TEST(BoxTree, VisitsWhatATestOfEachFinds) {
+TEST(BoxTree, VisitsTheBoxesThatATestOfEachFinds) {
   for (const std::size_t count : {0U, 1U, 2U, 3U, 50U}) {
     RandomBoxes random(10);
     for (int round = 0; round < 20; ++round) {

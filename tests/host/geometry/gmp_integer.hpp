@@ -1,4 +1,4 @@
-// Wide integers as those of GMP, which is the independent reference for them in tests.
+// Conversion of wide integers to and from GMP's, the independent reference in tests.
 #pragma once
 
 #include <gmpxx.h>
@@ -15,7 +15,7 @@ template <unsigned bits, class Limb>
   return n.negative() ? mpz_class(-value) : value;
 }
 
-// |n| below 2^(bits of Wide).
+// |n| must be below 2^(bits of Wide).
 template <class Wide>
 [[nodiscard]] Wide from_gmp(const mpz_class& n) {
   typename Wide::Limbs limbs{};

@@ -1,4 +1,4 @@
-// Interval sets against a set of points kept one by one.
+// Interval sets compared with a set of single points.
 #include "host/geometry/interval_set.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace sightline::geometry {
 namespace {
 
-TEST(IntervalSet, KeepsEndsOfWhatIsTakenAwayAndDropsSinglePoints) {
+TEST(IntervalSet, KeepsEndsOfRemovedIntervalsAndDropsSinglePoints) {
   IntervalSet set(0, 1);
   set.subtract(Rational(1, 4), Rational(1, 2));
   EXPECT_TRUE(set.contains(Rational(1, 4)));
@@ -32,7 +32,7 @@ TEST(IntervalSet, EmptyOperandsChangeNothing) {
   EXPECT_TRUE(set.empty());
 }
 
-// Unit steps of [0, 32] as bits: the same operations on both must leave the same steps covered.
+// Unit steps of [0, 32] as bits: the same operations on both must cover the same steps.
 TEST(IntervalSet, AgreesWithUnitStepsUnderRandomOperations) {
   constexpr int steps = 32;
   std::mt19937 random(7);
@@ -83,7 +83,7 @@ class RandomSets {
   std::mt19937 random_{1985};
 };
 
-TEST(IntervalSet, KeepsTheLawsOfTheHeader) {
+TEST(IntervalSet, SatisfiesTheLawsOfTheHeader) {
   RandomSets sets;
   const Rational least(-100);
   const Rational most(100);

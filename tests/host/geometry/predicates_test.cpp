@@ -1,4 +1,4 @@
-// The laws of predicates.hpp on random points, at the limits, and against worked examples.
+// The laws of predicates.hpp for random points, at the limits, and for worked examples.
 #include "host/geometry/predicates.hpp"
 
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ TEST(Predicates, TheLimitsOfTheHeaderHoldAtTheCornersOfSpace) {
       orientation({-most, -most, -most}, {most, most, -most}, {-most, most, most}, {most, -most, most});
   static_assert(volume == 2 * side * side * side || volume == -2 * side * side * side);
   static_assert((volume < 0 ? -volume : volume) < (std::int64_t{1} << 60));
-  constexpr std::int64_t n = 2 * side * side;  // as long as a component can get
+  constexpr std::int64_t n = 2 * side * side;  // the largest possible component
   static_assert(n < (std::int64_t{1} << 39));
   constexpr Int128 det = determinant({n, n, -n}, {n, -n, n}, {-n, n, n});
   static_assert(det == Int128{-4} * n * n * n);
@@ -78,7 +78,7 @@ TEST(Predicates, DeterminantIsTheTripleProduct) {
 }
 
 TEST(Predicates, OneUnitInTheLastPlaceDecides) {
-  // Nearly parallel at the full range: double would round both products to the same number.
+  // Nearly parallel over the full range: doubles would round both products to the same number.
   EXPECT_EQ(turn({-most, -most}, {most, most}, {most - 1, most}), 2 * std::int64_t{most});
   EXPECT_EQ(turn({0, 0}, {most, most - 1}, {most - 1, most - 2}), -1);
   EXPECT_EQ(orientation({0, 0, 0}, {1, 0, 0}, {0, most, most - 1}, {most, most - 1, most - 2}), -1);
@@ -117,7 +117,7 @@ Point2 flat(const Point3& p) {
   return {p[0], p[1]};
 }
 
-TEST(Predicates, NothingChangesWhereAllPointsAreMoved) {
+TEST(Predicates, TranslationChangesNothing) {
   for (const std::int32_t reach : {2, 1000, most / 2}) {
     RandomPoints points(reach);
     for (int i = 0; i < 500; ++i) {
@@ -151,9 +151,10 @@ TEST(Predicates, AreasAndVolumesAdd) {
   }
 }
 
-// All pairs of segments between the points of a small lattice. Two convex sets are apart iff their shadows on
-// some line are; for segments a line along or across one that joins two of the four ends will do.
-TEST(Predicates, SegmentsMeetInWhateverOrder) {
+// All pairs of segments between the points of a small lattice. Two convex sets are disjoint iff their projections on some line
+// are; for
+// segments a line along or perpendicular to one that joins two of the four ends suffices.
+TEST(Predicates, SegmentsMeetInAnyOrder) {
   std::vector<Point2> lattice;
   for (std::int32_t x = 0; x < 4; ++x) {
     for (std::int32_t y = 0; y < 3; ++y) lattice.push_back({x, y});
@@ -187,7 +188,7 @@ TEST(Predicates, SegmentsMeetInWhateverOrder) {
   }
 }
 
-// Stars around the origin do not cross themselves; their place is known by the angle between two corners.
+// Stars around the origin do not cross themselves; the angle between two corners locates a point.
 TEST(Predicates, PlacesInAStarDoNotDependOnItsStart) {
   constexpr std::array<Point2, 8> ways{
       {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
@@ -207,7 +208,7 @@ TEST(Predicates, PlacesInAStarDoNotDependOnItsStart) {
       for (std::int32_t y = -7; y <= 7; ++y) {
         const Point2 p{x, y};
         int expected =
-            -1;  // inside iff in the triangle of the origin and two corners, but for its outer side
+            -1;  // inside iff in the triangle of the origin and two corners, without its outer side
         for (std::size_t i = 0; i < ring.size(); ++i) {
           const Point2& a = ring[i];
           const Point2& b = ring[(i + 1) % ring.size()];
@@ -222,7 +223,7 @@ TEST(Predicates, PlacesInAStarDoNotDependOnItsStart) {
   }
 }
 
-// Midpoints of all unit squares against a count of crossings along x, for a ring with a bay.
+// Midpoints of all unit squares, compared with a count of crossings along x, for a ring with a bay.
 TEST(Predicates, PointsAreLocatedInARing) {
   const std::vector<Point2> ring{{0, 0}, {10, 0}, {10, 10}, {5, 3}, {0, 10}};
   EXPECT_EQ(doubled_area(ring), 130);

@@ -44,7 +44,7 @@ TEST(Rational, MediantLiesStrictlyBetween) {
   }
 }
 
-TEST(Rational, IsOrderedAsFractionsOfGmp) {
+TEST(Rational, IsOrderedLikeFractionsOfGmp) {
   std::mt19937_64 random(7);
   const auto part = [&] {
     const auto value = static_cast<std::int64_t>(random() >> (1 + random() % 63));

@@ -1,5 +1,6 @@
-// Wide integers: all pairs of small ones in limbs of 8 bits, and every width in use against GMP, at random
-// and at the ends of the range.
+// Wide integers: all pairs of small ones in limbs of 8 bits, and every width in use compared with GMP, at random and at the ends
+// of the
+// range.
 #include "host/geometry/wide_integer.hpp"
 
 #include <gtest/gtest.h>
@@ -20,12 +21,12 @@ constexpr int most_small = (1 << 8) - 1;
 
 static_assert(WideInteger<63>::limbs == 1 && WideInteger<64>::limbs == 2 && WideInteger<127>::limbs == 2);
 static_assert(WideInteger<128>::limbs == 3 && sizeof(WideInteger<255>) == 32);
-// The type of a result is the bound that follows.
+// The type of a result has the number of bits that follows from its operands.
 static_assert(
     std::is_same_v<decltype(WideInteger<75>() * WideInteger<75>() - WideInteger<150>()), WideInteger<151>>);
 static_assert(std::is_same_v<decltype(WideInteger<75>() + WideInteger<37>()), WideInteger<76>>);
 static_assert(std::is_same_v<decltype(WideInteger<75>().shifted<3>()), WideInteger<78>>);
-// No bits are lost unasked.
+// No bits are lost implicitly.
 static_assert(std::is_convertible_v<WideInteger<75>, WideInteger<76>>);
 static_assert(!std::is_constructible_v<WideInteger<75>, WideInteger<76>>);
 static_assert(!std::is_convertible_v<int, WideInteger<75>>);
@@ -78,8 +79,7 @@ TEST(WideInteger, SmallRootsAndDivisionsOfThreeLimbsByTwo) {
   }
 }
 
-// Integers of up to `bits` bits: ends of the range, neighbours of powers of two, long runs of equal digits,
-// anything.
+// Integers of up to `bits` bits: ends of the range, neighbours of powers of two, long runs of equal digits, random ones.
 class Numbers {
  public:
   mpz_class next(unsigned bits) {
@@ -109,7 +109,7 @@ class Numbers {
   gmp_randclass random_{gmp_randinit_default};
 };
 
-// As near as the header says.
+// Within the error that the header states.
 void expect_near(double value, const mpz_class& n) {
   if (n == 0) {
     EXPECT_EQ(value, 0);
@@ -199,7 +199,7 @@ TEST(WideInteger, AgreesWithGmpInLimbsOf8And32Bits) {
   expect_as_gmp<64, 63, std::uint8_t>(1000);
 }
 
-// At each number of limbs the greatest and the least value, and those of one bit less.
+// For each number of limbs the largest and smallest value, and those of one bit less.
 template <unsigned bits>
 void expect_ends() {
   using Wide = WideInteger<bits>;

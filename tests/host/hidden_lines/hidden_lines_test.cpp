@@ -1,5 +1,6 @@
-// The public face: what a program that uses the library gets for arrays, names, wrong requests and files. The cube's edges are counted
-// by hand; that drawings are right is tested through the command (tests/host/app) and the algorithms.
+// The library interface: results for arrays, names, invalid requests and files. The cube's edges are counted by hand; tests of
+// the
+// command (tests/host/app) and of the algorithms check that drawings are correct.
 #include "host/hidden_lines/hidden_lines.hpp"
 
 #include <gtest/gtest.h>
@@ -25,10 +26,10 @@ scene::PolyMesh cube() {
   return mesh;
 }
 
-// Looks at three sides of the cube at once.
+// A camera that sees three sides of the cube.
 Camera oblique() { return {false, {}, {-1, -1, -1}, {1, 0, -1}, {-1, 2, -1}}; }
 
-TEST(HiddenLines, OfACubeInMemoryNineEdgesAreSeenAndThreeHidden) {
+TEST(HiddenLines, OfACubeInMemoryNineEdgesAreVisibleAndThreeHidden) {
   const auto scene = load(cube());
   ASSERT_TRUE(scene) << scene.error().message();
   EXPECT_EQ(scene->name, "cube");
@@ -172,7 +173,7 @@ TEST(HiddenLines, ViewsOfOnePreparationAreTheViewsOfEach) {
   }
 }
 
-TEST(HiddenLines, ArraysThatAreNoMeshAreRefusedWithTheirPlace) {
+TEST(HiddenLines, ArraysThatAreNotAMeshAreErrorsWithTheirPosition) {
   scene::PolyMesh mesh = cube();
   mesh.vertices[5][1] = std::numeric_limits<double>::quiet_NaN();
   auto refused = load(mesh);
@@ -193,7 +194,7 @@ TEST(HiddenLines, ArraysThatAreNoMeshAreRefusedWithTheirPlace) {
   refused = load(mesh);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().place, "materials");
-  // A corner is moved, so that a face is not plane: an error, or mended.
+  // Moves a corner, so that a face is not planar: an error, or mended.
   mesh = cube();
   mesh.vertices[6] = {10, 10, 13};
   EXPECT_FALSE(load(mesh, {}));
@@ -236,13 +237,13 @@ TEST(HiddenLines, ErrorsHaveAKindAndNameTheOption) {
     EXPECT_EQ(wrong(options).file, "hatch") << hatch.angle << ", " << hatch.spacing;
   }
   EXPECT_FALSE(visible_edges(scene->scene, oblique(), "painter"));
-  // Steeply from above: no moment of a turn about the vertical.
+  // Steeply from above: not a view of a turn about the vertical.
   const auto seen = visible_edges(scene->scene, oblique(), "plantinga");
   ASSERT_FALSE(seen);
   EXPECT_EQ(seen.error().kind, base::ErrorKind::bad_input);
 }
 
-TEST(HiddenLines, WhatIsLeftOutIsANote) {
+TEST(HiddenLines, OmissionsAreNotes) {
   scene::PolyMesh mesh = cube();
   const auto first = static_cast<scene::VertexIndex>(mesh.vertices.size());
   for (std::size_t v = 0; v < first; ++v) mesh.vertices.push_back({mesh.vertices[v][0] + 5, mesh.vertices[v][1] + 5, mesh.vertices[v][2] + 5});
@@ -262,7 +263,7 @@ TEST(HiddenLines, WhatIsLeftOutIsANote) {
   EXPECT_NE(views->notes()[0].find("bodies pass through each other"), std::string::npos);
 }
 
-TEST(HiddenLines, FilesBeginAsTheirFormatsDo) {
+TEST(HiddenLines, FilesBeginAsTheirFormatsRequire) {
   const auto scene = load(cube());
   const auto drawing = view(*scene, oblique());
   ASSERT_TRUE(drawing);

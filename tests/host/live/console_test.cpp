@@ -1,7 +1,8 @@
-// The live console: what keys send, when a pipe's keys are typed, scripts, and how a session ends.
+// The live console: the codes of keys, when keys from a pipe are typed, scripts, and the end of a session.
 //
-// The codes of the modes are those that users' scripts rely on: ascii 7 bits, parity with bit 200, unix with RETURN as
-// 212, LINE FEED as 215 and ESCAPE as 375, upper with capitals.
+// Users' scripts rely on the codes of the modes: ascii has 7 bits, parity has bit 200, unix has RETURN as 212, LINE FEED as 215
+// and
+// ESCAPE as 375, upper has capitals.
 #include "host/live/console.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +38,7 @@ TEST(KeyCodes, EveryKeyInEveryMode) {
   }
 }
 
-TEST(KeyCodes, PrintedCodesAreCutToSevenBits) {
+TEST(KeyCodes, PrintedCodesAreTruncatedToSevenBits) {
   EXPECT_EQ(live::shown_text("\310\351\215\212"), "Hi\r\n");
   EXPECT_EQ(live::shown_text(std::string_view("\0a\200b\177\377", 6)), "ab");
 }
@@ -52,7 +53,7 @@ TEST(PlainText, EscapesStandForTheirCharacters) {
 
 // --- Sessions ---
 
-// Types what the test says and keeps what is printed. Nothing more to type: the end, or nobody at the terminal.
+// Types what the test gives and records what is printed. Then: the end of the input, or nobody at the terminal.
 class Typist final : public live::Operator {
  public:
   explicit Typist(std::string keys, bool terminal = false) : terminal_(terminal) {
@@ -106,7 +107,7 @@ MachineRun pdp7_run(const std::string& source) {
       .set("--max-time", "300");
 }
 
-// Prints * and types back what is typed, asking all the time; ! ends.
+// Prints * and echoes typed characters, polling all the time; ! ends.
 MachineRun pdp7_echo() {
   return pdp7_run(
       "  lac (252\n  jms type\n"
@@ -115,7 +116,7 @@ MachineRun pdp7_echo() {
       "type, 0\n  700406\n  700401\n  jmp .-1\n  jmp i type\n");
 }
 
-// The same with the keyboard's interrupt alone: it never asks.
+// The same with the keyboard's interrupt alone, without polling.
 MachineRun pdp7_interrupts() {
   return pdp7_run(
       "  lac (jmp serve\n  dac 1\n  lac (252\n  jms type\n  700042\n  jmp .\n"
@@ -190,7 +191,7 @@ TEST(ConsoleTerminal, TheSpeedIsThatOfTheMachineTimesTheNumber) {
   const Ended done = session(pdp7_run("  jmp .\n").set("--max-time", "1"), Typist(""), {KeyCodes::ascii, 4.0, {}});
   const auto taken = std::chrono::steady_clock::now() - begun;
   EXPECT_EQ(done.stop.name, "time_limit");
-  // Never early; how late it is depends on the host.
+  // Never early; the delay depends on the host.
   EXPECT_GE(taken, std::chrono::milliseconds(220));
 }
 
@@ -234,7 +235,7 @@ TEST(ConsoleScript, WithoutTextsToExpectTypesAtOnce) {
   EXPECT_EQ(session(pdp7_echo(), Typist(""), script({send("ab"), send("c!")})).printed, "*abc!");
 }
 
-TEST(ConsoleScript, SaysWhichTextWasNotPrinted) {
+TEST(ConsoleScript, ReportsTheTextThatWasNotPrinted) {
   NEEDS_OPTIMISED_CODE();
   const Ended waits = session(pdp7_echo(), Typist(""), script({expect("*"), send("ab"), expect("#"), send("c")}));
   EXPECT_EQ(waits.stop.complaint,
@@ -248,7 +249,7 @@ TEST(ConsoleScript, SaysWhichTextWasNotPrinted) {
 
 // --- CP/M ---
 
-// Calls of BDOS by the CP/M 2.2 Interface Guide.
+// Calls of BDOS as in the CP/M 2.2 Interface Guide.
 TEST(CpmConsole, FunctionOneWaitsEchoesAndReturnsTheKey) {
   const Ended done = session(i8080_run("  MVI C,1\n  CALL 5\n  STA 200H\n  MOV A,L\n  STA 201H\n  MVI C,1\n  CALL 5\n"
                                          "  STA 202H\n  JMP 0\n"),
@@ -260,7 +261,7 @@ TEST(CpmConsole, FunctionOneWaitsEchoesAndReturnsTheKey) {
   EXPECT_EQ(done.machine->word(0x202), 033U);
 }
 
-TEST(CpmConsole, FunctionTenReadsALineThatCanBeMended) {
+TEST(CpmConsole, FunctionTenReadsAnEditedLine) {
   const auto line = [](const char* keys, const char* size = "10") {
     const Ended done = session(i8080_run("  LXI D,200H\n  MVI A," + std::string(size) +
                                            "\n  STAX D\n  MVI C,10\n  CALL 5\n  JMP 0\n"),
@@ -282,7 +283,7 @@ TEST(CpmConsole, FunctionTenReadsALineThatCanBeMended) {
   EXPECT_EQ(line("x", "0"), "");
 }
 
-TEST(CpmConsole, FunctionsSixAndElevenAskWithoutWaiting) {
+TEST(CpmConsole, FunctionsSixAndElevenPollWithoutWaiting) {
   const Ended done = session(i8080_run("POLL: MVI C,11\n  CALL 5\n  ORA A\n  JZ POLL\n  STA 200H\n"
                                          "  MVI C,6\n  MVI E,0FEH\n  CALL 5\n  STA 201H\n"
                                          "  MVI C,6\n  MVI E,0FFH\n  CALL 5\n  STA 202H\n"
@@ -299,7 +300,7 @@ TEST(CpmConsole, FunctionsSixAndElevenAskWithoutWaiting) {
 
 TEST(CpmConsole, WaitingTakesNoTime) {
   const Ended done = session(i8080_run("  MVI C,1\n  CALL 5\n  JMP 0\n"), Typist("x"), {});
-  // MVI 7, CALL 17, JMP 10 to the entry, OUT 10, RET 10; JMP 10, JMP 10 to the table, JMP 10 there, OUT 10
+  // MVI 7, CALL 17, JMP 10 to the entry, OUT 10, RET 10; JMP 10, JMP 10 to the table, JMP 10 there, OUT 10.
   EXPECT_EQ(done.machine->ticks(), 94);
 }
 

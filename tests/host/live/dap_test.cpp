@@ -1,5 +1,6 @@
-// A session of an editor by the Debug Adapter Protocol: what a client sends is written down here as messages, and what must
-// come back follows from the programs: lines, addresses, registers. Then messages that are none.
+// An editor's session by the Debug Adapter Protocol: the client's messages are written here, and the expected replies follow from
+// the
+// programs: lines, addresses, registers. Then invalid messages.
 #include "host/live/dap/dap.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +35,7 @@ std::string framed(const std::string& message) {
   return "Content-Length: " + std::to_string(message.size()) + "\r\n\r\n" + message;
 }
 
-// What was sent back, in order.
+// The messages sent back, in order.
 std::vector<json> messages(const std::string& wire) {
   std::vector<json> all;
   std::size_t at = 0;
@@ -51,8 +52,9 @@ std::vector<json> messages(const std::string& wire) {
   return all;
 }
 
-// The command as an editor starts it. The whole session is one script, so all of it has come when the first request is
-// answered: requests that start a run are held by DapSteps.
+// Runs the command as an editor starts it. The whole session is one script, so that all of it is available when the first request
+// is
+// answered; requests that start a run need DapSteps.
 class Dap : public CommandLine {
  protected:
   void request(const std::string& command, json arguments = json::object()) {
@@ -65,7 +67,7 @@ class Dap : public CommandLine {
     received_ = messages(ran.out);
     for (std::size_t n = 0; n < received_.size(); ++n) EXPECT_EQ(received_[n].at("seq"), n + 1);
   }
-  // The answer to the nth request of that name, from 0.
+  // The reply to the nth request of that name, from 0.
   json answer(const std::string& command, std::size_t n = 0) {
     for (const json& message : received_)
       if (message.at("type") == "response" && message.at("command") == command && n-- == 0) return message;
@@ -84,7 +86,7 @@ class Dap : public CommandLine {
   std::vector<json> received_;
 };
 
-TEST_F(Dap, BreakpointsStandInTheSource) {
+TEST_F(Dap, BreakpointsAreSetInTheSource) {
   write("p.s",
         "/ A title line.\n"     // 1
         "100/\n"                // 2
@@ -110,7 +112,7 @@ TEST_F(Dap, BreakpointsStandInTheSource) {
   hold();
   EXPECT_EQ(answer("initialize").at("body").at("supportsStepBack"), true);
   ASSERT_EQ(events("initialized").size(), 1U);
-  // A line without code moves to the next that has some.
+  // A line without code moves to the next line with code.
   const json lines = answer("setBreakpoints").at("body").at("breakpoints");
   EXPECT_EQ(lines[0].at("verified"), true);
   EXPECT_EQ(lines[0].at("line"), 9);
@@ -126,10 +128,10 @@ TEST_F(Dap, BreakpointsStandInTheSource) {
   EXPECT_EQ(events("stopped").at(0).at("reason"), "entry");
 }
 
-// A client that sends a request when the machine stands.
+// A client that sends a request when the machine is stopped.
 class DapSteps : public Dap {
  protected:
-  // `launch` is called again by restart.
+  // `restart` calls `launch` again.
   void hold_with(std::function<base::Result<live::Launched>(const json&)> launch,
                  std::function<base::Result<base::Done>(const machines::Machine&)> finish = {}) {
     live::DapHost host;
@@ -139,7 +141,7 @@ class DapSteps : public Dap {
     host.read = [&](int milliseconds) -> std::optional<std::string> {
       if (milliseconds == 0) return std::string();
       if (at == script_.size()) return std::nullopt;
-      // In two pieces, as it may come.
+      // In two pieces, as may happen.
       const std::size_t end = std::min(script_.size(), at + (script_.size() - at + 1) / 2);
       const std::string piece = script_.substr(at, 1 + (end - at) % 97);
       at += piece.size();
@@ -154,7 +156,7 @@ class DapSteps : public Dap {
     EXPECT_TRUE(done.has_value());
     received_ = messages(wire);
   }
-  // "PC=00105 AC=000003", of the nth answer to `variables`.
+  // "PC=00105 AC=000003", from the nth reply to `variables`.
   std::string registers(std::size_t n, const std::vector<std::string>& names) {
     std::string text;
     const json whole = answer("variables", n);
@@ -165,7 +167,7 @@ class DapSteps : public Dap {
     }
     return text;
   }
-  // Begins a session of a program at its first instruction.
+  // Starts a session of a program, stopped at its first instruction.
   void begin() {
     request("initialize");
     request("launch");
@@ -204,7 +206,7 @@ live::Launched i8080_launched(const std::string& source) {
   return launched(machines::i8080(), of, assembly, assembler::write_i8080_symbols(assembly.symbols));
 }
 
-TEST_F(DapSteps, ThePdp7GoesForwardAndBack) {
+TEST_F(DapSteps, ThePdp7RunsForwardAndBack) {
   request("initialize");
   request("launch");
   request("setFunctionBreakpoints", {{"breakpoints", {{{"name", "store+1"}}}}});
@@ -223,7 +225,7 @@ TEST_F(DapSteps, ThePdp7GoesForwardAndBack) {
   request("setFunctionBreakpoints", {{"breakpoints", json::array()}});
   request("next");  // over the JMS; the second write of PLACE stops it
   look();
-  request("reverseContinue");  // to the first write of PLACE: counts are passed over
+  request("reverseContinue");  // to the first write of PLACE: counts are ignored
   look();
   request("setVariable", {{"variablesReference", 1}, {"name", "AC"}, {"value", "777"}});
   request("setVariable", {{"variablesReference", 1}, {"name", "AC"}, {"value", "1000000"}});
@@ -262,12 +264,12 @@ TEST_F(DapSteps, ThePdp7GoesForwardAndBack) {
   EXPECT_EQ(rows[1].at("line"), 2);
 }
 
-TEST_F(DapSteps, The8080TypesAndIsWatched) {
+TEST_F(DapSteps, The8080PrintsAndHasWatchpoints) {
   request("initialize", {{"linesStartAt1", false}});
   request("launch");
   request("setBreakpoints", {{"source", {{"path", "p.asm"}}}, {"breakpoints", {{{"line", 4}, {"condition", "a==41+1"}}}}});
   request("evaluate", {{"expression", "send \"AB\""}, {"context", "repl"}});
-  request("configurationDone");  // to the line behind the CALL with B in A
+  request("configurationDone");  // to the line after the CALL with B in A
   look();
   request("stackTrace");
   request("scopes", {{"frameId", 0}});
@@ -284,7 +286,7 @@ TEST_F(DapSteps, The8080TypesAndIsWatched) {
   EXPECT_EQ(printed, "AB");
 }
 
-// Instructions of one to three bytes: the rows before an address end there, as the assembler wrote them.
+// Instructions have one to three bytes: the rows before an address end there, with the assembler's instructions.
 TEST_F(DapSteps, RowsBeforeAnAddressOfThe8080) {
   begin();
   request("disassemble", {{"memoryReference", "0x10B"}, {"instructionOffset", -5}, {"instructionCount", 7}});
@@ -312,8 +314,9 @@ TEST_F(DapSteps, RowsBeforeAnAddressOfThe8080) {
   EXPECT_EQ(answer("disassemble", 3).at("body").at("instructions").size(), 2U);
 }
 
-// The source has changed before it is launched again: breakpoints of lines and names go where they are now, what the client has not
-// sent again stays, and the machine is new.
+// The source changes before it is launched again: breakpoints of lines and names move, those that the client has not sent again
+// stay,
+// and the machine is new.
 TEST_F(DapSteps, RestartsWithItsBreakpoints) {
   request("initialize");
   request("launch");
@@ -368,7 +371,7 @@ TEST_F(DapSteps, RestartOfABrokenSourceLeavesTheMachine) {
   EXPECT_EQ(registers(0, {"PC"}), "PC=00100");
 }
 
-// The console takes what is an expression for one, and else a line of the monitor.
+// The console evaluates an expression; any other text is a monitor command.
 TEST_F(DapSteps, TheConsoleTakesTheVerbsOfTheMonitor) {
   const auto typed = [this](const std::string& line) { request("evaluate", {{"expression", line}, {"context", "repl"}}); };
   request("initialize", {{"supportsInvalidatedEvent", true}, {"supportsMemoryEvent", true}});
@@ -378,9 +381,9 @@ TEST_F(DapSteps, TheConsoleTakesTheVerbsOfTheMonitor) {
   typed("step 2");       // 0: stops at store+1
   look();
   typed("e 104");        // 1
-  typed("e");            // 2: no expression of the PDP-7: all registers
+  typed("e");            // 2: not an expression of the PDP-7: all registers
   typed("ac+1");         // 3: an expression
-  typed("delete");       // 4: the client hears that its breakpoint is gone
+  typed("delete");       // 4: the client is notified that its breakpoint is deleted
   typed("deposit 110 7");  // 5
   typed(":evaluate [110]");  // 6
   typed("back 2");       // 7
@@ -388,7 +391,7 @@ TEST_F(DapSteps, TheConsoleTakesTheVerbsOfTheMonitor) {
   typed("steep");        // 8: neither
   typed("assert ac==7");  // 9
   typed("run until pc==107");  // 10
-  request("evaluate", {{"expression", "step"}, {"context", "watch"}});  // 11: elsewhere it is an expression
+  request("evaluate", {{"expression", "step"}, {"context", "watch"}});  // 11: in another context it is an expression
   typed("help back");    // 12
   typed("quit");         // 13
   request("completions", {{"text", "hist"}, {"column", 5}});
@@ -422,7 +425,7 @@ TEST_F(DapSteps, TheConsoleTakesTheVerbsOfTheMonitor) {
   EXPECT_EQ(answer("completions").at("body").at("targets").at(0).at("label"), "history");
 }
 
-// A line of a macro makes three instructions; an editor steps over them all, and through them in the disassembly.
+// A line with a macro makes three instructions: stepping by lines executes all of them, stepping in the disassembly each.
 TEST_F(DapSteps, StepsByLinesAndByInstructions) {
   request("initialize", {{"columnsStartAt1", false}});
   request("launch");
@@ -433,7 +436,7 @@ TEST_F(DapSteps, StepsByLinesAndByInstructions) {
   request("stepIn", {{"granularity", "instruction"}});
   look();
   request("stackTrace");
-  request("next", {{"granularity", "line"}});  // the two that are left of the line
+  request("next", {{"granularity", "line"}});  // the remaining two of the line
   look();
   request("next");  // JMP to itself: once
   look();
@@ -478,7 +481,7 @@ TEST_F(DapSteps, ExpressionsAreSetAndCompleted) {
   for (const json& each : devices) EXPECT_FALSE(each.contains("evaluateName"));
 }
 
-// The radix of `launch` is that of the values.
+// The radix of `launch` applies to the values.
 TEST_F(Dap, TheRadixIsAnOption) {
   write("p.s", "100/\nbegin, lac (12\n  hlt\n  start begin\n");
   request("initialize");
@@ -490,7 +493,7 @@ TEST_F(Dap, TheRadixIsAnOption) {
   EXPECT_EQ(answer("evaluate").at("body").at("result"), "00041 = 65.");
 }
 
-// The system of disk_test.cpp, by messages.
+// The system of disk_test.cpp, through messages.
 TEST_F(DapSteps, ASystemBootsFromADisk) {
   request("initialize");
   request("launch", {{"input", "w5Zr5h"}});
@@ -520,7 +523,7 @@ TEST_F(DapSteps, ASystemBootsFromADisk) {
 
 // --- Messages of any content ---
 
-TEST_F(DapSteps, RequestsOfAnyContentAreAnswered) {
+TEST_F(DapSteps, RequestsWithAnyContentAreAnswered) {
   std::mt19937 engine(1121);
   const auto below = [&engine](std::size_t n) { return engine() % n; };
   const std::vector<std::string> names{"setBreakpoints", "setFunctionBreakpoints", "setInstructionBreakpoints", "dataBreakpointInfo",
@@ -542,7 +545,7 @@ TEST_F(DapSteps, RequestsOfAnyContentAreAnswered) {
   const int requests = sequence_;
   hold_with([](const json&) {
     auto session = pdp7_launched("100/\nbegin, isz 200\n  jmp begin\n  hlt\n200/ 777000\n  start begin\n");
-    session.prepared.limits.instructions = 20000;  // what follows the HLT need not end
+    session.prepared.limits.instructions = 20000;  // the code after the HLT need not end
     return session;
   });
   int answers = 0;
@@ -599,7 +602,7 @@ TEST_F(Dap, TheArgumentsOfLaunchAreChecked) {
   EXPECT_NE(refused({{"machine", "pdp7"}, {"program", "bad.s"}}).find("the source has errors"), std::string::npos);
 }
 
-// A signal ends the session of an endless program in order: the exit code says so, the client hears no half message.
+// A signal ends the session of an endless program in order: the exit code says so, and no truncated message is sent.
 TEST_F(Dap, ASignalEndsTheSession) {
   write("p.s", "100/\nbegin, jmp begin\n  start begin\n");
   request("initialize");
@@ -611,11 +614,11 @@ TEST_F(Dap, ASignalEndsTheSession) {
   ASSERT_EQ(std::system(command.c_str()), 0);
   received_ = messages(read("out"));
   EXPECT_EQ(answer("launch").at("success"), true);
-  // timeout says 124 when it has sent the signal.
+  // timeout exits with 124 after it has sent the signal.
   EXPECT_EQ(read("code"), "124\n");
 }
 
-TEST_F(Dap, WhatIsNoMessageEndsTheSession) {
+TEST_F(Dap, AnInvalidMessageEndsTheSession) {
   const auto ends = [this](const std::string& bytes) {
     const Ran ran = sightline({"dap"}, bytes);
     EXPECT_EQ(ran.exit_code, 4) << bytes.substr(0, 40);
@@ -627,7 +630,7 @@ TEST_F(Dap, WhatIsNoMessageEndsTheSession) {
   EXPECT_NE(ends(framed("{")).find("message"), std::string::npos);
   EXPECT_NE(ends(framed("[1]")).find("expected an object as a message"), std::string::npos);
   EXPECT_NE(ends(std::string(5000, 'x')).find("without an empty line"), std::string::npos);
-  // A client that goes away is no error.
+  // A client that disconnects is not an error.
   EXPECT_EQ(sightline({"dap"}, "").exit_code, 0);
   EXPECT_EQ(sightline({"dap"}, "Content-Length: 10\r\n\r\n{").exit_code, 0);
 }

@@ -1,5 +1,5 @@
-// The RB09 as a user meets it: the test system of tests/data/disk_system boots from an image and takes commands through
-// the console; images that are damaged are refused, and an image is written back whole or not at all.
+// The RB09 as users see it: the test system of tests/data/disk_system boots from an image and takes commands through the console;
+// damaged images are errors, and an image is written back completely or not at all.
 #include <gtest/gtest.h>
 
 #include <unistd.h>
@@ -32,7 +32,7 @@ class Disk : public CommandLine {
     for (unsigned n = 4; n-- > 0;) word = word << 8 | static_cast<unsigned char>(image[4 * place + n]);
     return word;
   }
-  // Boots and takes `steps` after the prompt, options of the command line.
+  // Boots and executes `steps` after the prompt, with further options of the command line.
   Ran session(std::vector<std::string> steps, std::vector<std::string> more = {}) {
     std::vector<std::string> words{"run", "pdp7", "boot.rim", "--disk", "disk", "--console", "unix", "--expect", "*"};
     words.insert(words.end(), steps.begin(), steps.end());
@@ -53,7 +53,7 @@ TEST_F(Disk, ASystemBootsReadsAndWrites) {
   EXPECT_EQ(ran.out, "*r3Q\r\n*w5Zk\r\n*r5Z\r\n*h");
   EXPECT_NE(ran.err.find("stopped by      halt"), std::string::npos) << ran.err;
   EXPECT_NE(ran.err.find("384 words read and 64 written in 4 transfers, 0 timing errors"), std::string::npos) << ran.err;
-  // The word written and nothing else; sector 5 had 64 words of core from 500 on, of which the first is Z.
+  // Only the written word changes; sector 5 received 64 words of core from 500 on, of which the first is Z.
   const std::string after = read("disk");
   ASSERT_EQ(after.size(), bytes_of_disk);
   EXPECT_EQ(word(after, 5 * 64), static_cast<std::uint32_t>('Z'));
@@ -64,7 +64,7 @@ TEST_F(Disk, ASystemBootsReadsAndWrites) {
   EXPECT_EQ(files(), (std::vector<std::string>{"boot.rim", "disk"}));
 }
 
-TEST_F(Disk, ALockedDiskStaysAsItIs) {
+TEST_F(Disk, ALockedDiskIsNotChanged) {
   const Ran ran = session({"--send", "w5Z", "--expect", "w5Z!", "--send", "h"}, {"--disk-read-only"});
   EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
   EXPECT_EQ(read("disk"), image_);
@@ -81,7 +81,7 @@ TEST_F(Disk, AMonitorSessionCanSwapDisks) {
   EXPECT_EQ(read("other"), std::string(bytes_of_disk, '\0'));
 }
 
-// Only Ctrl-C ends this one: what was written before is written back.
+// Only Ctrl-C ends this session: earlier writes are written back.
 TEST_F(Disk, CtrlCInAPipedMonitorWritesTheDiskBack) {
   write("commands", "expect \"*\"\nsend \"w5Z\"\nexpect \"k\"\nrun until 1==0\nev 1\n");
   const Ran ran = interrupted({"monitor", "pdp7", "boot.rim", "--disk", "disk", "--console", "unix", "--do", "commands"});
@@ -89,8 +89,8 @@ TEST_F(Disk, CtrlCInAPipedMonitorWritesTheDiskBack) {
   EXPECT_EQ(word(read("disk"), 5 * 64), static_cast<std::uint32_t>('Z')) << ran.out;
 }
 
-// Killed at any moment: the image is the old one or the new one, and nothing is left beside it.
-TEST_F(Disk, AKilledRunLeavesAWholeImage) {
+// Killed at any moment: the image is the old one or the new one, without additional files.
+TEST_F(Disk, AKilledRunLeavesACompleteImage) {
   const Arguments words{"run", "pdp7", "boot.rim", "--disk", "disk", "--console", "unix", "--expect", "*", "--send", "w5Z", "--expect", "k"};
   ASSERT_EQ(sightline(words).exit_code, 0);
   const std::string written = read("disk");
@@ -115,8 +115,8 @@ TEST_F(Disk, WritingBackKeepsThePermissionsOfTheImage) {
   EXPECT_EQ(std::filesystem::status(path("disk")).permissions(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
 }
 
-// It is known before the run that the changes could not be kept.
-TEST_F(Disk, AnImageThatMayNotBeWrittenIsRefusedUnlessTheDriveIsLocked) {
+// An image that cannot be written back is an error before the run.
+TEST_F(Disk, AReadOnlyImageIsAnErrorUnlessTheDriveIsLocked) {
   std::filesystem::permissions(path("disk"), std::filesystem::perms::owner_read);
   if (access(path("disk").c_str(), W_OK) == 0) GTEST_SKIP() << "this user may write every file";
   const Ran ran = session({"--send", "w5Z", "--expect", "k"});
@@ -127,15 +127,15 @@ TEST_F(Disk, AnImageThatMayNotBeWrittenIsRefusedUnlessTheDriveIsLocked) {
   EXPECT_TRUE(read("disk") == image_);
 }
 
-// The other files of a run are written though the disk cannot be.
-TEST_F(Disk, AFolderThatGoesAwayTakesOnlyTheDiskWithIt) {
+// The other outputs of a run are written although the disk cannot be.
+TEST_F(Disk, ARemovedFolderLosesOnlyTheDisk) {
   std::filesystem::create_directory(path("folder"));
   std::filesystem::rename(path("disk"), path("folder/disk"));
   write("gone.s",
         "100/\nbegin, 707141\n  lac (777700\n  707124\n  cla\n  707142\n  707104\n  lac (3000\n  707144\n  707121\n  jmp .-1\n"
         "  lac (252\n  700406\nwait, 700301\n  jmp wait\n  hlt\n  start begin\n");
   ASSERT_EQ(sightline({"asm", "pdp7", "gone.s", "-o", "gone.rim"}).exit_code, 0);
-  // The folder goes when the program has written and says so; then a key ends it.
+  // The folder is removed when the program has written and reports it; then a key ends it.
   const std::string script = "cd '" + path(".").string() + "' && mkfifo keys && { " + command_of_this_build() +
                              " run pdp7 gone.rim --disk folder/disk --console ascii --dump d < keys > out 2> err & exec 3> keys; "
                              "until test -s out; do sleep 0.02; done; rm -r folder; echo x >&3; exec 3>&-; wait $!; }";
@@ -145,8 +145,8 @@ TEST_F(Disk, AFolderThatGoesAwayTakesOnlyTheDiskWithIt) {
   EXPECT_NE(read("err").find("folder/disk: cannot write: No such file or directory"), std::string::npos) << read("err");
 }
 
-TEST_F(Disk, ATransferGoesOnFromASnapshot) {
-  // The boot waits a turn of 34 ms, some 19,300 instructions, then 256 words pass in 1.7 ms.
+TEST_F(Disk, ATransferContinuesFromASnapshot) {
+  // The boot program waits a revolution of 34 ms, some 19,300 instructions, then 256 words pass in 1.7 ms.
   constexpr int all = 60000;
   const auto run_for = [this](std::vector<std::string> words, int instructions, std::vector<std::string> more) {
     words.insert(words.end(), {"--disk", "disk", "--max-instructions", std::to_string(instructions)});
@@ -163,7 +163,7 @@ TEST_F(Disk, ATransferGoesOnFromASnapshot) {
     run_for({"run", "pdp7", "--restore", "s"}, all - first, {"--dump", "half"});
     EXPECT_TRUE(read("half") == read("whole")) << first;
   }
-  // With another disk it is not the same machine.
+  // With another disk it is a different machine.
   image_[0] = 1;
   write("other", image_);
   const Ran other = sightline({"run", "pdp7", "--restore", "s", "--disk", "other"});
@@ -171,7 +171,7 @@ TEST_F(Disk, ATransferGoesOnFromASnapshot) {
   EXPECT_NE(other.err.find("the number of the disk that is attached"), std::string::npos) << other.err;
 }
 
-TEST_F(Disk, DamagedImagesAreRefused) {
+TEST_F(Disk, DamagedImagesAreErrors) {
   const auto refused = [this](const std::string& image) {
     write("bad", image);
     const Ran ran = sightline({"run", "pdp7", "boot.rim", "--disk", "bad"});
@@ -189,7 +189,7 @@ TEST_F(Disk, DamagedImagesAreRefused) {
 }
 
 TEST_F(Disk, ADivideCanMakeAWordLate) {
-  // The boot, then a transfer under divides of 5.5 us and more beside words of 1.8 us.
+  // The boot program, then a transfer during divides of 5.5 us and more, with words of 1.8 us.
   write("late.s",
         "100/\nbegin, 707141\n  lac (777700\n  707124\n  cla\n  707142\n  707104\n  lac (2000\n  707144\nloop, 640323\n  17777\n"
         "  707121\n  jmp loop\n  707132\n  hlt\n  start begin\n");
@@ -199,7 +199,7 @@ TEST_F(Disk, ADivideCanMakeAWordLate) {
   EXPECT_NE(late.err.find("timing error"), std::string::npos) << late.err;
 }
 
-// Choices that no document settles: 703361 skips the CMA or does not, 703317 skips it (TTS) or does nothing.
+// Choices where the documents are silent: 703361 skips the CMA or not, 703317 skips it (TTS) or has no effect.
 TEST_F(Disk, ChoicesAreSet) {
   const auto ac = [this](const std::string& word, const std::vector<std::string>& more) {
     write("choice.oct", "100:\n750000 " + word + " 740001 740040\n");
@@ -215,7 +215,7 @@ TEST_F(Disk, ChoicesAreSet) {
   EXPECT_EQ(ac("703317", {}), 0);
   EXPECT_EQ(ac("703317", {"--timing", "device_33_each_pulse=0"}), 1);
   EXPECT_EQ(ac("703301", {"--timing", "device_33_each_pulse=0"}), 0);
-  // A snapshot is of a machine with the same choices.
+  // A snapshot belongs to a machine with the same choices.
   ASSERT_EQ(sightline({"run", "pdp7", "boot.rim", "--disk", "disk", "--max-time", "0.1", "--save", "s"}).exit_code, 0);
   for (const char* const other : {"disk_clear_stops=0", "disk_late_stops=0", "disk_after_last=64", "skip_703361=0"}) {
     const Ran ran = sightline({"run", "pdp7", "--restore", "s", "--disk", "disk", "--timing", other});

@@ -1,5 +1,6 @@
-// The law of snapshots on the 8080: Skala's program with every board, plotter and link, and random programs
-// that access all devices and are interrupted by them.
+// The law of snapshots on the 8080: Skala's program with every board, plotter and link, and random programs that access all
+// devices and
+// receive their interrupts.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -71,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(Devices, SkalaSnapshots,
                                          SkalaCase{"serial", skala::Device::ef9365, true}),
                          [](const auto& chosen) { return std::string(chosen.param.name); });
 
-// Everything at once, each request on a restart of its own.
+// All devices, each request on a separate restart.
 machines::I8080Setup everything() {
   machines::I8080Setup setup;
   for (const char* device : {"ef9365", "alt256", "calcomp565", "minigraf0507", "sio", "2sio"}) attach(setup, device);
@@ -90,9 +91,9 @@ machines::I8080Setup everything() {
   return setup;
 }
 
-// A program without loops for 64K of memory: 8251 and 8255 are set, then random arithmetic and accesses to
-// all devices, EI now and then, and HLT, which the next request ends. A request jumps to its restart, which
-// returns.
+// A program without loops for 64K of memory: it sets up the 8251 and 8255, then executes random arithmetic and accesses to all
+// devices,
+// sometimes EI, and HLT, which the next request ends. A request jumps to its restart, which returns.
 void put_random_program(machines::Machine& machine, std::uint32_t seed) {
   Dice dice(seed);
   std::uint32_t at = 0x40;
@@ -106,8 +107,7 @@ void put_random_program(machines::Machine& machine, std::uint32_t seed) {
   }
   at = 0x40;
   put({0x31, 0x00, 0x00});  // LXI SP
-  // The 8251 at x1: 153,600 baud, so that characters end within a short run; the 8255 in modes 1; CTRL1 of
-  // the EF9365.
+  // The 8251 at x1: 153,600 baud, so that characters end within a short run; the 8255 in modes 1; CTRL1 of the EF9365.
   out(0xED, 0x4D);
   out(0xED, 0x37);
   out(0xE7, 0xB4);
@@ -127,7 +127,7 @@ void put_random_program(machines::Machine& machine, std::uint32_t seed) {
       case 5: put({0xC5, 0xE3, 0xD1}); break;
       default: {
         const int port = ports[dice(0, 25)];
-        if (port == 0xED) break;  // a further control word could reset the chip
+        if (port == 0xED) break;  // another control word could reset the chip
         out(port, port == 0x60 ? dice(0, 9) : port == 0x41 ? 0x70 + dice(0, 3) : dice(0, 255));
       }
     }
@@ -223,7 +223,8 @@ TEST(I8080Snapshots, ContinueFromAHalt) {
 }
 
 // HOLD for 40 of every 97 T-states, among interrupts and halts: a run that stops within a HOLD between two instructions, or in a
-// halt, goes on as if it had not stopped.
+// halt,
+// continues as if it had not stopped.
 TEST(I8080Snapshots, ContinueFromAHold) {
   constexpr std::uint64_t instructions = 400;
   int standing = 0;
@@ -256,7 +257,7 @@ TEST(I8080Snapshots, ContinueFromAHold) {
   EXPECT_GT(standing, tests::effort(50, 0));
 }
 
-TEST(I8080Snapshots, KeepWhatACpmProgramHasPrinted) {
+TEST(I8080Snapshots, KeepTheOutputOfACpmProgram) {
   const LawProgram program{"i8080",
                            [] {
                              machines::I8080Setup setup;

@@ -1,5 +1,6 @@
-// Each verb of the monitor on small programs of both machines. What a line answers follows from the program: addresses and
-// words from its source, times from the machine's cycle of 1.75 us and the 8080's T-states.
+// Each command of the monitor on small programs of both machines. Expected answers follow from the program: addresses and words
+// from its
+// source, times from the machine's cycle of 1.75 us and the 8080's T-states.
 #include "host/live/monitor/monitor.hpp"
 
 #include <fmt/core.h>
@@ -42,7 +43,7 @@ live::Names names(int radix) {
           }};
 }
 
-// -999: it was refused.
+// -999 if it was rejected.
 std::int64_t value_or_none(std::string_view text, int radix) {
   const auto value = live::evaluate(text, names(radix));
   return value ? *value : -999;
@@ -81,7 +82,7 @@ TEST(Expression, HexadecimalNumbersBeginWithADigit) {
   EXPECT_EQ(value("0ac"), 0xAC);
 }
 
-TEST(Expression, SaysWhatIsWrong) {
+TEST(Expression, ReportsErrors) {
   const auto error = [](std::string_view text) {
     const auto value = live::evaluate(text, names(8));
     return value ? std::string("nothing") : value.error().message();
@@ -101,7 +102,7 @@ TEST(Expression, SaysWhatIsWrong) {
 
 class Session {
  public:
-  // With a patience nobody types.
+  // Nobody types within the patience, if there is one.
   Session(const machines::MachineDescription& description, MachineRun of, live::Symbols symbols, std::optional<std::int64_t> patience = {})
       : patience_(patience),
         prepared_([&of] {
@@ -112,7 +113,7 @@ class Session {
         }()),
         monitor_(description, *prepared_.machine, prepared_.limits, std::move(symbols), host()) {}
 
-  // The text of the answer, which must be of that kind.
+  // Executes a line and returns the text of the answer, which must be of that kind.
   std::string operator()(std::string_view line, Kind kind = Kind::done) {
     const live::Answer answer = monitor_.execute(line);
     EXPECT_EQ(answer.kind, kind) << line << "\n" << answer.text;
@@ -123,7 +124,7 @@ class Session {
 
   std::map<std::string, std::string> files;
   std::string printed;
-  int most_slices = 1000000;  // of the host's time; then somebody presses Ctrl-C
+  int most_slices = 1000000;  // limit of host time; then Ctrl-C is pressed
 
  private:
   live::MonitorHost host() {
@@ -283,16 +284,16 @@ TEST(MonitorPdp7, WatchesMemory) {
   s("watch", Kind::wrong);
 }
 
-TEST(MonitorPdp7, KnowsWhoWroteAWord) {
+TEST(MonitorPdp7, FindsTheWriterOfAWord) {
   auto m = pdp7_program();
   Session& s = *m;
   EXPECT_EQ(s("who place"), "00110: nothing has written there since the monitor began\n");
   s("c");
-  // LAC 2, JMS 2, DAC 2, JMP I 2, LAC 2, JMS 2 cycles; the DAC writes in its second.
+  // LAC 2, JMS 2, DAC 2, JMP I 2, LAC 2, JMS 2 cycles; the DAC writes in its second cycle.
   EXPECT_EQ(s("who place"), "00110: 000005 was written at 0.000022750 s by 00106 store+1: dac 110  ; dac place\n");
 }
 
-TEST(MonitorPdp7, HistoryShowsWhatWasUsed) {
+TEST(MonitorPdp7, HistoryShowsOperands) {
   auto m = pdp7_program();
   Session& s = *m;
   EXPECT_EQ(s("history"), "no instruction has been obeyed yet\n");
@@ -342,7 +343,7 @@ TEST(MonitorPdp7, StopsWhenAFlagRises) {
   Session& s = *m;
   s("break printer");
   EXPECT_NE(s("c").find("breakpoint 1: printer"), std::string::npos);
-  // TLS is one cycle; the flag rises a character's time, 100 ms, after it.
+  // TLS takes one cycle; the flag rises a character's time, 100 ms, after it.
   EXPECT_GE(s.machine().ticks(), 100'000'000);
   EXPECT_LT(s.machine().ticks(), 100'010'000);
   EXPECT_NE(s("show conditions").find("printer      1\n"), std::string::npos);
@@ -360,7 +361,7 @@ TEST(MonitorPdp7, SendsAndExpects) {
   EXPECT_EQ(s.printed, "Hi there");
   s("assert keyboard==0");
   EXPECT_NE(s("assert keyboard==1", Kind::failed).find("assert: keyboard==1 is not true"), std::string::npos);
-  // A minute of the machine.
+  // A minute of emulated time.
   if (tests::optimised()) {
     EXPECT_NE(s("expect \"never\"", Kind::failed).find("not printed in 60 s"), std::string::npos);
   }
@@ -403,7 +404,7 @@ TEST(MonitorPdp7, TakesPictures) {
   (*without)("screenshot a.png", Kind::wrong);
 }
 
-// The square of host/examples/square.s, by its comments: its display words are display words once the display was started there.
+// The square of host/examples/square.s, by its comments: its display words are listed as such once the display was started there.
 TEST(MonitorPdp7, ListsDisplayWordsWhereTheDisplayReadsThem) {
   auto m = pdp7_session("begin, law file\n idla\n idsi\n jmp .-1\n hlt\nfile, 020137\n 220601\n 100601\n 200177\n 677577\n 003000\n 200177\n start begin\n");
   Session& s = *m;
@@ -417,15 +418,15 @@ TEST(MonitorPdp7, ListsDisplayWordsWhereTheDisplayReadsThem) {
   EXPECT_NE(list.find(" 00110 200177  file+3: vector, dx +177 dy +0, lit  ; "), std::string::npos) << list;
   EXPECT_NE(list.find(" 00111 677577  file+4: vector, dx +177 dy +177, lit, then parameter  ; "), std::string::npos) << list;
   EXPECT_NE(list.find(" 00112 003000  file+5: parameter, stop and interrupt  ; "), std::string::npos) << list;
-  EXPECT_NE(list.find(" 00113 200177  file+6: lac 177  ; "), std::string::npos) << list;  // behind the stop
+  EXPECT_NE(list.find(" 00113 200177  file+6: lac 177  ; "), std::string::npos) << list;  // after the stop
   EXPECT_NE(s("list 100-101").find(" 00101 700606  begin+1: idla  ; "), std::string::npos);
-  // The Y word that is changed leads to a parameter word now.
+  // The changed Y word now leads to a parameter word.
   s("deposit 106 200601");
   EXPECT_NE(s(words).find(" 00106 200601  file+1: point, y 601, dark, then parameter  ; "), std::string::npos) << s(words);
   EXPECT_NE(s(words).find(" 00107 100601  file+2: parameter, "), std::string::npos) << s(words);
 }
 
-TEST(MonitorPdp7, TheDisplayIsThereWhenItIsUsed) {
+TEST(MonitorPdp7, TheDisplayIsConnectedAtItsFirstUse) {
   auto m = pdp7_session("begin, law file\n idla\nloop, idsi\n jmp loop\n jmp begin\nfile, 020137\n 220601\n 100601\n 200177\n 677577\n 003000\n start begin\n");
   Session& s = *m;
   EXPECT_EQ(s("show display"), "no display is attached, or the program has not used it yet\n");
@@ -441,7 +442,7 @@ TEST(MonitorPdp7, TheDisplayIsThereWhenItIsUsed) {
 }
 
 // Two words of three lines with hole 8. RSB takes one.
-TEST(MonitorPdp7, DevicesSayWhatIsInThem) {
+TEST(MonitorPdp7, DevicesReportTheirState) {
   auto m = pdp7_session(" rsb\n rsf\n jmp .-1\n hlt\n");
   Session& s = *m;
   EXPECT_NE(s("show devices").find("reader       no tape, flag down"), std::string::npos);
@@ -500,7 +501,7 @@ TEST(MonitorPdp7, CompletesVerbsAndNames) {
   EXPECT_EQ(m->monitor().completions("break st", "st"), (std::vector<std::string>{"stop", "store"}));
 }
 
-TEST(MonitorPdp7, LookingChangesNothing) {
+TEST(MonitorPdp7, InspectionChangesNothing) {
   const auto typed = [](std::initializer_list<std::string> lines) {
     auto m = pdp7_session(echo);
     for (const char key : std::string("so!")) m->machine().type(static_cast<std::uint8_t>(key));
@@ -527,7 +528,7 @@ TEST(MonitorPdp7, SavesAndRestores) {
 
 std::unique_ptr<Session> i8080_session(const std::string& text);
 
-// Random walks of steps forward and back: the machine is the same each time it has obeyed so many instructions.
+// Random walks of steps forward and back: after the same number of instructions the machine is always the same.
 void walk_back_and_forth(Session& s, std::string_view name) {
   std::map<std::uint64_t, machines::Bytes> seen;
   std::mt19937 engine(7);
@@ -553,7 +554,7 @@ TEST(MonitorBack, ReturnsTheSameState) {
   walk_back_and_forth(*i8080, "i8080");
 }
 
-TEST(MonitorBack, SaysHowFarItCanGo) {
+TEST(MonitorBack, ReportsHowFarItCanGo) {
   auto m = pdp7_program();
   Session& s = *m;
   EXPECT_NE(s("back", Kind::wrong).find("expected at most 0"), std::string::npos);
@@ -641,8 +642,8 @@ TEST(MonitorI8080, SendsAndExpectsOnTheConsoleOfCpm) {
   EXPECT_NE(s("c").find("stopped by exit"), std::string::npos);
 }
 
-// `who` knows it at once, where the call has just been answered, and `back` comes to that state.
-TEST(MonitorI8080, WhoKnowsWhatCpmHasJustWritten) {
+// `who` finds it even if the call has just been answered, and `back` returns to that state.
+TEST(MonitorI8080, WhoFindsWhatCpmHasJustWritten) {
   auto m = i8080_session("  LXI D,300H\n  MVI C,10\n  CALL 5\n  LDA 302H\n  JMP 0\n");
   Session& s = *m;
   s("deposit 300 5; watch 302; send \"K\\r\"; c");
@@ -666,7 +667,7 @@ TEST(MonitorI8080, CyclesStopInsideAnInstruction) {
   EXPECT_EQ(s("cycle 5").substr(0, 4), "0103");
   EXPECT_NE(s("cycle 13").find(" to come    stack write    "), std::string::npos);
   EXPECT_EQ(s("cycle 4").substr(0, 4), "0005");
-  // Any other run goes on from where the instruction begins.
+  // Any other run continues from the beginning of the instruction.
   s("cycle 2");
   s("step");
   EXPECT_EQ(s("ev time").substr(0, 7), "25 = 37");
@@ -684,13 +685,13 @@ TEST(MonitorPdp7, CyclesStopInsideAnInstruction) {
   EXPECT_NE(s("cycle").find("0.000001750 s done       read           00103 000104\n"), std::string::npos);
   EXPECT_EQ(s("cycle").substr(0, 5), "00101");
   EXPECT_NE(s("cycle").find("0.000007000 s to come    read and write 00104\n"), std::string::npos);
-  s("d ac 7");  // from where it begins
+  s("d ac 7");  // from its beginning
   EXPECT_EQ(s("cycle 2").substr(0, 5), "00102");
   EXPECT_EQ(s("ev [q]"), "6 = 6.\n");
 }
 
-// The line that BDOS reads is put into the buffer by the host: a watch sees it, and so does `who`.
-TEST(MonitorI8080, WatchesSeeWhatCpmWrites) {
+// The host stores the line that BDOS reads into the buffer: a watchpoint and `who` see it.
+TEST(MonitorI8080, WatchpointsSeeWritesByCpm) {
   auto m = i8080_session("  LXI D,300H\n  MVI C,10\n  CALL 5\n  LDA 302H\n  JMP 0\n");
   Session& s = *m;
   s("deposit 300 5; watch 302; watch 301 r; send \"K\\r\"");
@@ -704,7 +705,7 @@ TEST(MonitorI8080, WatchesSeeWhatCpmWrites) {
   EXPECT_NE(s("c").find("stopped by exit"), std::string::npos) << "once";
 }
 
-// --- The past, against what was seen at the time ---
+// --- The past, compared with observations at the time ---
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -713,8 +714,9 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-// Steps, runs, words deposited and keys sent, with a trace from the beginning; then the history, worked out by running
-// again, has the trace's last lines.
+// Steps, runs, deposited words and sent keys, with a trace from the beginning. The history, computed by running again, must equal
+// the
+// trace's last lines.
 void compare_history_with_trace(Session& s, const std::string& word) {
   std::mt19937 engine(11);
   s("trace t");
@@ -733,13 +735,13 @@ void compare_history_with_trace(Session& s, const std::string& word) {
   const std::vector<std::string> last = lines_of(s("history 3000"));
   ASSERT_EQ(last.size(), 3000U);
   for (std::size_t n = 0; n < last.size(); ++n) ASSERT_EQ(last[n], traced[traced.size() - last.size() + n]) << n;
-  // After it the machine is where it was, and goes on.
+  // Afterwards the machine is in the same state, and continues.
   const std::int64_t ticks = s.machine().ticks();
   s("step");
   EXPECT_GT(s.machine().ticks(), ticks);
 }
 
-TEST(MonitorPast, HistoryIsWhatTheTraceWas) {
+TEST(MonitorPast, HistoryEqualsTheTrace) {
   auto pdp7 = pdp7_session(
       "begin, 700301\n  jmp over\n  700312\n  700406\nover, isz 300\n  lac 300\n  dac i 10\n  jms sub\n  jmp begin\n"
       "sub, 0\n  dac 301\n  jmp i sub\n");
@@ -749,7 +751,7 @@ TEST(MonitorPast, HistoryIsWhatTheTraceWas) {
   compare_history_with_trace(*i8080, "300");
 }
 
-TEST(MonitorPast, WhoWroteIsFoundHoweverLongAgo) {
+TEST(MonitorPast, TheWriterIsFoundAfterAnyTime) {
   // The word at 300 is written once, then three million instructions follow.
   auto m = pdp7_session("  lac (5\n  dac 300\nloop, isz 301\n  jmp loop\n  jmp loop\n");
   Session& s = *m;
@@ -767,7 +769,7 @@ TEST(MonitorPast, AnInterruptIsNamedAsTheWriter) {
   EXPECT_NE(s("who 0").find("by the interrupt before 00104"), std::string::npos) << s("who 0");
 }
 
-TEST(MonitorStack, ShowsWhatWasCalledAndGoesOutOfIt) {
+TEST(MonitorStack, ShowsCallsAndStepsOut) {
   auto m = pdp7_session(
       "  jms outer\n  hlt\nouter, 0\n  jms inner\n  jmp i outer\ninner, 0\n  nop\n  jmp i inner\n");
   Session& s = *m;
@@ -785,7 +787,7 @@ TEST(MonitorStack, ShowsWhatWasCalledAndGoesOutOfIt) {
   s("out", Kind::wrong);
 }
 
-TEST(MonitorStack, OutOfARecursionIsOneLevel) {
+TEST(MonitorStack, StepOutOfARecursionIsOneLevel) {
   // Counts down in B by calling itself.
   auto m = i8080_session("  LXI SP,400H\n  MVI B,5\n  CALL DOWN\n  HLT\nDOWN: DCR B\n  RZ\n  CALL DOWN\n  RET\n");
   Session& s = *m;
@@ -799,8 +801,9 @@ TEST(MonitorStack, OutOfARecursionIsOneLevel) {
   EXPECT_EQ(s("ev sp").substr(0, 3), "400");
 }
 
-// The oracle of conditions: a machine that is run one instruction at a time and asked after each, by a rule of its own. A condition
-// stops it where it becomes true, a place where it has been come to so many times, writes where there were so many.
+// The oracle of conditions: a machine that runs one instruction at a time and evaluates an independent rule after each. A
+// condition stops
+// it when it becomes true, a breakpoint after so many passes, a watchpoint after so many writes.
 class Stepped {
  public:
   Stepped(const machines::MachineDescription& description, std::unique_ptr<Session> session)
@@ -914,7 +917,7 @@ void compare_conditions(const machines::MachineDescription& description, const s
   }
 }
 
-TEST(MonitorPdp7, ConditionsOnMemoryStopWhereEachInstructionIsAsked) {
+TEST(MonitorPdp7, ConditionsOnMemoryStopLikeTheOracle) {
   std::mt19937 random(1965);
   std::vector<std::string> conditions;
   for (int round = 0; round < 20; ++round) {
@@ -931,7 +934,7 @@ TEST(MonitorPdp7, ConditionsOnMemoryStopWhereEachInstructionIsAsked) {
       conditions, 200);
 }
 
-TEST(MonitorPdp7, ConditionsOnRegistersStopWhereEachInstructionIsAsked) {
+TEST(MonitorPdp7, ConditionsOnRegistersStopLikeTheOracle) {
   compare_conditions(
       machines::pdp7(),
       [] {
@@ -944,8 +947,8 @@ TEST(MonitorPdp7, ConditionsOnRegistersStopWhereEachInstructionIsAsked) {
        "instructions!=40 && !(time>5000)", "instructions", "time==52500. || instructions==1000", "instructions>3000 && ac==7", "1", "0"});
 }
 
-// The display draws a vector beyond the edge, again and again: its flag is cleared by IDCF, and by a file that ends in a stop the other.
-TEST(MonitorPdp7, ConditionsOnFlagsOfTheDisplayStopWhereEachInstructionIsAsked) {
+// The display repeatedly draws a vector beyond the edge: IDCF clears that flag, and a file that ends in a stop raises the other.
+TEST(MonitorPdp7, ConditionsOnFlagsOfTheDisplayStopLikeTheOracle) {
   compare_conditions(
       machines::pdp7(),
       [] {
@@ -958,8 +961,8 @@ TEST(MonitorPdp7, ConditionsOnFlagsOfTheDisplayStopWhereEachInstructionIsAsked) 
        "edge && time>400000", "edge && pc==103"});
 }
 
-// The display fetches words, and the clock counts in 7, at boundaries that follow each other.
-TEST(MonitorPdp7, WordsThatTheClockWritesBesideADisplayAreAskedAboutAtOnce) {
+// The display fetches words, and the clock counts in 7, at consecutive boundaries.
+TEST(MonitorPdp7, WordsThatTheClockWritesDuringADisplayAreTestedAtOnce) {
   compare_conditions(
       machines::pdp7(),
       [] {
@@ -976,9 +979,10 @@ bool step_back(Stepped& stepped, std::unique_ptr<Session> again, std::uint64_t i
   return stop && stop->name == "instruction_limit" && stepped.machine().restore(again->machine().save()).has_value();
 }
 
-// Where a run begins a flag may differ from what it was when the condition was last asked about: by `back`, by START, or because
-// nobody has asked yet.
-TEST(MonitorPdp7, AFlagThatDiffersWhereARunBeginsIsAskedAbout) {
+// At the start of a run a flag may differ from its value at the last test of the condition: after `back`, after START, or because
+// the
+// condition was never tested.
+TEST(MonitorPdp7, AFlagThatDiffersAtTheStartOfARunIsTested) {
   struct Walk {
     std::string condition;
     std::vector<std::string> lines;
@@ -1006,13 +1010,13 @@ TEST(MonitorPdp7, AFlagThatDiffersWhereARunBeginsIsAskedAbout) {
       expect_same_place(m->machine(), stepped, walk.condition + ": " + line);
     }
   }
-  // `run until` asks whether it holds, not whether it has become so.
+  // `run until` tests whether it holds, not whether it has become true.
   auto m = pdp7_session("begin, lac (301\n 700406\nloop, isz count\n jmp loop\n jmp loop\ncount, 0\n start begin\n");
   (*m)("run until printer==0");
   EXPECT_EQ(m->machine().instructions(), 1U);
 }
 
-TEST(MonitorI8080, ConditionsOnRegistersStopWhereEachInstructionIsAsked) {
+TEST(MonitorI8080, ConditionsOnRegistersStopLikeTheOracle) {
   compare_conditions(
       machines::i8080(),
       [] {
@@ -1023,7 +1027,7 @@ TEST(MonitorI8080, ConditionsOnRegistersStopWhereEachInstructionIsAsked) {
        "pc==105", "f&40", "l!=0", "a>=80 && b<40", "bc>8000", "hl>2 && hl<8", "b!=a", "a==l+3", "b-d==5", "bc==hl+1200", "e<c", "(a^l)==3", "b==c", "h==l", "(b&3)==(l&3)", "inte", "sp<0FFF8 || a==3", "[hl]==l", "time>1000 && a==4", "a", "!(a-b)", "b>=0", "d<0", "f!=46", "instructions==123", "instructions>=200 && time<4000", "time>=1000 && time<1005", "time!=20", "!(instructions<40 || time>2000)"});
 }
 
-// Random programs, which may write over themselves, and random conditions; some wait for two things at once.
+// Random programs, which may overwrite themselves, and random conditions; some wait for two things at once.
 std::string random_condition(std::mt19937& random) {
   const auto one_of = [&random](const std::vector<std::string>& texts) { return texts[random() % texts.size()]; };
   const auto byte = [&] { return one_of({"a", "f", "b", "c", "d", "e", "h", "l"}); };
@@ -1044,7 +1048,7 @@ std::string random_condition(std::mt19937& random) {
   }
 }
 
-TEST(MonitorI8080, RandomConditionsStopWhereEachInstructionIsAsked) {
+TEST(MonitorI8080, RandomConditionsStopLikeTheOracle) {
   const std::vector<unsigned> others{0x02, 0x03, 0x04, 0x05, 0x07, 0x09, 0x0A, 0x0B, 0x0C, 0x0D, 0x0F, 0x12, 0x13, 0x14, 0x15, 0x17, 0x19, 0x1A,
                                      0x1B, 0x1C, 0x1D, 0x1F, 0x23, 0x24, 0x25, 0x27, 0x29, 0x2B, 0x2C, 0x2D, 0x2F, 0x34, 0x35, 0x37, 0x39, 0x3C,
                                      0x3D, 0x3F, 0xC1, 0xC5, 0xD1, 0xD5, 0xE1, 0xE3, 0xE5, 0xEB, 0xF1, 0xF3, 0xF5, 0xFB};
@@ -1067,7 +1071,7 @@ TEST(MonitorI8080, RandomConditionsStopWhereEachInstructionIsAsked) {
     }
     (*m)("break LOOP count 5");
     (*m)("watch 2000-5000 w count 9");
-    stepped.count_place(0x106, 5);  // behind two LXI
+    stepped.count_place(0x106, 5);  // after two LXI
     stepped.count_writes(0x2000, 0x5000, 9);
     for (int n = 0; n < 6; ++n) {
       (*m)("run for 200 instructions");
@@ -1077,8 +1081,8 @@ TEST(MonitorI8080, RandomConditionsStopWhereEachInstructionIsAsked) {
   }
 }
 
-// Without a terminal a program that only asks for a key is stopped when it has asked for long, by its own time. `run for` runs on.
-TEST(MonitorPdp7, WaitsForAKeyThatNobodyTypesOnlySoLong) {
+// Without a terminal a program that only polls for a key is stopped after a limit of emulated time. `run for` is not limited.
+TEST(MonitorPdp7, LimitsTheWaitForAKey) {
   auto m = pdp7_session("begin, 700301\n jmp begin\n 700312\n hlt\nbusy, jmp busy\n start begin\n", nullptr, 2);
   const std::string text = (*m)("go");
   EXPECT_NE(text.find("the program has asked for a key for 2 s of its time, and there is none"), std::string::npos) << text;
@@ -1089,7 +1093,7 @@ TEST(MonitorPdp7, WaitsForAKeyThatNobodyTypesOnlySoLong) {
   EXPECT_GE(m->machine().ticks(), 6 * second);
   (*m)("send \"A\"");
   EXPECT_NE((*m)("go begin").find("stopped by halt"), std::string::npos);
-  // What has read its key and works waits for none.
+  // A program that has read its key and works is not waiting.
   (*m)("d pc busy");
   EXPECT_EQ((*m)("run for 4000ms").find("asked for a key"), std::string::npos);
   EXPECT_FALSE(m->machine().wants_key());
@@ -1097,8 +1101,9 @@ TEST(MonitorPdp7, WaitsForAKeyThatNobodyTypesOnlySoLong) {
 
 // --- All verbs ---
 
-// One expectation for each verb: in a session of pdp7_program() with a console, after the lines of `before`, the line has exactly this
-// answer. Words and addresses follow from the program, times from two or three cycles of 1.75 us an instruction.
+// One expectation per command: in a session of pdp7_program() with a console, after the lines of `before`, the line has exactly
+// this
+// answer. Words and addresses follow from the program, times from two or three cycles of 1.75 us per instruction.
 struct VerbCase {
   std::string_view verb;
   std::vector<std::string_view> before;
@@ -1191,8 +1196,8 @@ TEST(MonitorVerbs, InstructionsAreTypedInTheDialectOfTheProgram) {
   (*z)("d 200 \"NOP ! HLT\"", Kind::wrong);
 }
 
-// Each says what was found and what would be right, and nothing is done.
-TEST(MonitorVerbs, WrongArgumentsAreRefusedInWords) {
+// Each error says what was found and what is expected, and has no effect.
+TEST(MonitorVerbs, WrongArgumentsAreErrors) {
   const std::vector<std::pair<std::string_view, std::string_view>> pdp7{
       {"deposit 100 \"", "deposit: found \" without a \" at its end"},
       {"deposit 100 lac i 10", "an instruction must be in quotes"},
@@ -1237,18 +1242,18 @@ TEST(MonitorVerbs, ACommentEndsTheLine) {
   EXPECT_EQ(s("evaluate 1;# \"nothing"), "1 = 1.\n");
 }
 
-// A trace that nobody has ended is written when the next begins and when the session ends.
+// An open trace is written when the next one begins and when the session ends.
 TEST(MonitorVerbs, NoTraceIsLost) {
   auto m = pdp7_program();
   Session& s = *m;
   s("trace a; step 2; trace b; step; quit", Kind::quit);
   EXPECT_EQ(lines_of(s.files["a"]).size(), 2U);
-  EXPECT_EQ(s.files["b"], "");  // begun: one that cannot be written is told by `trace`
+  EXPECT_EQ(s.files["b"], "");  // opened: `trace` reports one that cannot be written
   EXPECT_EQ(s.monitor().finish().kind, Kind::done);
   EXPECT_EQ(s.files["b"], "        7000 00106 040110  dac 110            00110=000003 000003 0\n");
 }
 
-// BC, DE, HL and AF; any other two letters of registers are no name. AF is in no place of its own in the machine.
+// BC, DE, HL and AF; no other two register letters form a name. The machine has no separate register AF.
 TEST(MonitorI8080, PairsAreNames) {
   auto m = i8080_session("BEGIN: INR B\n INX H\n ADD L\n JMP BEGIN\n");
   Session& s = *m;
@@ -1264,7 +1269,7 @@ TEST(MonitorI8080, PairsAreNames) {
   EXPECT_EQ(s("evaluate l").substr(0, 1), "3");
 }
 
-TEST(MonitorRadix, IsOfNumbersTypedAndShown) {
+TEST(MonitorRadix, AppliesToNumbersTypedAndShown) {
   auto m = pdp7_program();
   Session& s = *m;
   s.monitor().set_radix(16);
@@ -1276,7 +1281,7 @@ TEST(MonitorRadix, IsOfNumbersTypedAndShown) {
 
 // --- Lines of any bytes ---
 
-TEST(MonitorLines, OfAnyBytesAreAnswered) {
+TEST(MonitorLines, WithAnyBytesAreAnswered) {
   auto m = pdp7_program();
   Session& s = *m;
   s.most_slices = 0;  // runs may have no end

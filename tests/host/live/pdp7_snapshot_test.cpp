@@ -1,5 +1,4 @@
-// The law of snapshots on the PDP-7: Jones's program, random words as programs, and a program that keeps
-// every device busy.
+// The law of snapshots on the PDP-7: Jones's program, random words as programs, and a program that keeps every device busy.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -18,7 +17,7 @@ namespace {
 namespace jones = programs::jones;
 using jones::Dice;
 
-// All that a PDP-7 can have, with times so short that flags rise within a short run.
+// A PDP-7 with all options, and times so short that flags rise within a short run.
 machines::Pdp7Setup busy_setup(std::uint32_t core_words = 8192) {
   machines::Pdp7Setup setup;
   setup.machine.core_words = core_words;
@@ -83,7 +82,7 @@ TEST(Pdp7Snapshots, RandomWordsContinueBitForBit) {
       Dice words(seed);
       for (std::uint32_t a = 0; a < core_words; ++a) {
         auto word = static_cast<std::uint32_t>(words(0, 0777777));
-        // A third of them IOTs of devices that exist, without HLT elsewhere.
+        // A third of the words are IOTs of existing devices, and there is no HLT among the others.
         constexpr std::uint32_t iots[] = {0700044, 0700104, 0700144, 0700112, 0700206, 0700244,
                                           0700312, 0700406, 0700606, 0700042, 0703302, 0700712,
                                           0701012, 0700601, 0700706, 0701006};
@@ -102,9 +101,9 @@ TEST(Pdp7Snapshots, RandomWordsContinueBitForBit) {
   }
 }
 
-// Reads words from the tape and the keyboard, punches and types them, multiplies and divides, and counts
-// clock ticks; the display draws points, vectors, increments and characters under a light pen, and is started
-// again at its stop.
+// Reads words from the tape and the keyboard, punches and types them, multiplies and divides, and counts clock ticks; the display
+// draws
+// points, vectors, increments and characters under a light pen, and is restarted at its stop.
 // clang-format off
 constexpr std::pair<std::uint32_t, std::uint32_t> busy_words[] = {
     // 1: JMP 300, the interrupt. 7: the clock's counter.
@@ -155,7 +154,7 @@ std::uint64_t field(const machines::Bytes& snapshot, std::string_view section, s
   return 0;
 }
 
-// Every place of a run of some thousand instructions: the snapshots fall into every state of the devices.
+// All positions of a run of some thousand instructions: the snapshots cover every state of the devices.
 TEST(Pdp7Snapshots, ContinueFromEveryStateOfTheDevices) {
   const LawProgram program = busy_program();
   constexpr std::uint64_t never = 0x7FFF'FFFF'FFFF'FFFF;

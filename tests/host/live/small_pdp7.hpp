@@ -1,5 +1,6 @@
-// The smallest PDP-7 with everything on it, started: reader, punch and printer work, the clock is on, and the
-// display draws long vectors under a light pen.
+// The smallest PDP-7 with all devices, started: reader, punch and printer work, the clock is on, and the display draws long
+// vectors under
+// a light pen.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +30,7 @@ inline std::unique_ptr<machines::Machine> small_pdp7(bool monitored = false) {
   const auto put = [&](std::initializer_list<std::uint32_t> words) {
     for (const std::uint32_t word : words) machine->put(at++, word);
   };
-  // LAC 107, IDLA, RSB, PLS, TLS, CLON, JMP 106; where the file is.
+  // LAC 107, IDLA, RSB, PLS, TLS, CLON, JMP 106; the address of the file.
   put({0200107, 0700606, 0700144, 0700206, 0700406, 0700044, 0600106, 0000200});
   at = 0200;
   // Point mode; Y; X, then vectors.

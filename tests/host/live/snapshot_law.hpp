@@ -1,4 +1,4 @@
-// The law of snapshots: run N, save, run M is the same as restore, run M, in everything that a machine shows.
+// The law of snapshots: run N, save, run M equals restore, run M, in everything that a machine shows.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,19 +18,19 @@
 namespace sightline::test {
 
 
-// A machine with a program in it that has been started, and what it writes.
+// A machine with a started program, and its outputs.
 struct LawProgram {
   std::string_view machine;  // "pdp7"
   std::function<std::unique_ptr<machines::Machine>()> make;
   std::vector<std::string> streams;   // "--trace"
   std::vector<std::string> appended;  // outputs that grow: "--punch"
   std::vector<std::string> whole;     // outputs of the state: "--png" of a raster
-  std::vector<std::string> again;     // outputs that a machine has again that has gone back: "--svg"
+  std::vector<std::string> again;     // outputs that a machine that went back writes again: "--svg"
 };
 
 class LawRun {
  public:
-  // The program outlives the run.
+  // The program must outlive the run.
   explicit LawRun(const LawProgram& program) : program_(&program), machine_(program.make()) {
     for (const std::string& stream : program.streams)
       machine_->take(stream, [&text = streams_[stream]](std::string_view more) { text += more; });
@@ -38,7 +38,7 @@ class LawRun {
   LawRun(const LawRun&) = delete;
   LawRun& operator=(const LawRun&) = delete;
 
-  // The name of the stop; `instructions` more at most.
+  // Runs at most `instructions` more; returns the name of the stop.
   std::string_view go(std::uint64_t instructions) {
     const machines::Limits limits{machine_->instructions() + instructions};
     std::optional<machines::Stop> stop;
@@ -61,7 +61,7 @@ class LawRun {
   std::unique_ptr<machines::Machine> machine_;
 };
 
-// Where two snapshots differ: the first section and byte. `except`: a section that may differ.
+// The first section and byte in which two snapshots differ. `except`: a section that may differ.
 inline std::string difference(const machines::Bytes& a, const machines::Bytes& b, std::string_view except = {}) {
   const auto first = live::decode_snapshot(a, "a");
   const auto second = live::decode_snapshot(b, "b");
@@ -79,7 +79,7 @@ inline std::string difference(const machines::Bytes& a, const machines::Bytes& b
   return a == b || !except.empty() ? "" : "elsewhere";
 }
 
-// False if the program has stopped by itself before `first` instructions.
+// False if the program stopped before `first` instructions.
 inline bool expect_law(const LawProgram& program, std::uint64_t first, std::uint64_t then) {
   LawRun whole(program);
   LawRun parts(program);
@@ -109,7 +109,7 @@ inline bool expect_law(const LawProgram& program, std::uint64_t first, std::uint
   for (const std::string& option : program.whole)
     EXPECT_TRUE(whole.output(option) == fresh.output(option)) << option;
 
-  // Back in a machine that has gone on.
+  // Back in a machine that has continued.
   const std::map<std::string, std::string> before = parts.streams();
   parts.restore(snapshot);
   EXPECT_EQ(difference(parts.save(), snapshot), "") << "gone back";

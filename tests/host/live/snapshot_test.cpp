@@ -1,4 +1,4 @@
-// The file of a snapshot: what it refuses, that damage is found, and that a refused restore changes nothing.
+// The file of a snapshot: its errors, the detection of damage, and that a failed restore changes nothing.
 #include "host/live/snapshot.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ std::string refusal(const machines::Bytes& bytes, machines::Machine& machine, st
   return done ? "nothing was refused" : done.error().message();
 }
 
-// With the checksum that the bytes should have.
+// With the correct checksum of the bytes.
 machines::Bytes corrected(machines::Bytes bytes) {
   const std::size_t content = bytes.size() - 4;
   const std::uint32_t crc = base::crc32(std::span(bytes).first(content));
@@ -43,7 +43,7 @@ machines::Bytes corrected(machines::Bytes bytes) {
   return bytes;
 }
 
-TEST(Crc32, IsThatOfThePublishedCheck) {
+TEST(Crc32, HasThePublishedCheckValue) {
   const std::string text = "123456789";
   const machines::Bytes bytes(text.begin(), text.end());
   EXPECT_EQ(base::crc32(bytes), 0xCBF43926U);
@@ -72,8 +72,9 @@ TEST(Snapshot, ReadsWhatItWrites) {
   EXPECT_LT(bytes.size(), 20'000U);
 }
 
-// A file of the version there is, the same from every compiler, and what it becomes after 500 instructions. Another
-// format needs another version and another file: SIGHTLINE_APPROVE=1 writes it.
+// A file of the current version, the same from every compiler, and its state after 500 instructions. Another format needs another
+// version
+// and another file: SIGHTLINE_APPROVE=1 writes it.
 TEST(Snapshot, ReadsAFileOfThisVersion) {
   const std::string name = "snapshot/pdp7-4k.snap";
   const auto machine = small_machine(40);
@@ -112,16 +113,15 @@ TEST(Snapshot, EveryTruncationIsFound) {
     ASSERT_FALSE(live::decode_snapshot(std::span(bytes).first(length), "a.snap").has_value()) << length;
 }
 
-// Hostile files have a good checksum. They are refused, and the machine is as it was, or they are states of a
-// machine.
-TEST(Snapshot, ChangedFieldsWithAGoodChecksumAreRefusedOrRun) {
+// Hostile files have a correct checksum. Either they are rejected and the machine is unchanged, or they are states of a machine.
+TEST(Snapshot, ChangedFieldsWithACorrectChecksumAreRejectedOrRun) {
   const auto machine = small_machine(40);
   const auto other = small_machine(17);
   const machines::Bytes bytes = saved(*machine);
   machines::Bytes before = saved(*other);
   int refused = 0;
   int accepted = 0;
-  // Core is in the middle: any words will do there.
+  // Core is in the middle: any words are valid there.
   for (std::size_t at = 0; at < bytes.size(); at += (at > 1000 && at + 1000 < bytes.size() ? 331U : tests::effort(1U, 3U))) {
     for (const unsigned change : {0x01U, 0x80U, 0xFFU}) {
       machines::Bytes damaged = bytes;
@@ -140,7 +140,7 @@ TEST(Snapshot, ChangedFieldsWithAGoodChecksumAreRefusedOrRun) {
   EXPECT_GT(accepted, 500);
 }
 
-TEST(Snapshot, RefusalsSayWhatToDo) {
+TEST(Snapshot, ErrorsSayWhatToDo) {
   const auto machine = small_machine(40);
   const machines::Bytes bytes = saved(*machine);
   EXPECT_EQ(refusal({1, 2, 3}, *machine),
@@ -172,7 +172,7 @@ TEST(Snapshot, RefusalsSayWhatToDo) {
             "the snapshot again with --save");
 }
 
-TEST(Snapshot, AnotherTapeIsRefused) {
+TEST(Snapshot, AnotherTapeIsAnError) {
   const auto machine = small_machine(40);
   machines::Pdp7Setup setup;
   setup.machine.core_words = 4096;

@@ -1,9 +1,8 @@
-// A reminder for the author of a new member: a class with state has another size now. Visit the member in
-// visit_state, if it is state, document it in host/manual/formats.md, count up live::snapshot_version, and
-// correct the size here.
+// A reminder for the author of a new member: the size of a class with state has changed. If the member is state, visit it in
+// visit_state,
+// document it in host/manual/formats.md and increment live::snapshot_version. Then correct the size here.
 //
-// The sizes are those of one implementation of the library; the law of snapshots (snapshot_law.hpp) is tested
-// on all.
+// The sizes are those of one implementation of the library; the law of snapshots (snapshot_law.hpp) is tested on all.
 #include <gtest/gtest.h>
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Which symbol a name means: the one by the rule of DEC's assembler, or the one so written where that means
-// several.
+// The symbol that a name means: the one by the rule of DEC's assembler, or, if that is ambiguous, the one with this exact
+// spelling.
 #include "host/live/symbols.hpp"
 
 #include <gtest/gtest.h>

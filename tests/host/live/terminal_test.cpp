@@ -1,4 +1,4 @@
-// A person at a terminal: the built command on a pseudo terminal. Its settings are restored on every way out.
+// The built command on a pseudo terminal. Its settings are restored however the command ends.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -28,13 +28,13 @@ constexpr std::chrono::seconds patience{30};
 class Terminal : public CommandLine {
  protected:
   void SetUp() override {
-    // Types back what is typed; ! ends.
+    // Echoes typed characters; ! ends.
     write("echo.s",
           "100/\nbegin, lac (252\n  jms type\nwait, 700301\n  jmp wait\n  700312\n  jms type\n  and (177\n  sad (41\n  hlt\n"
           "  jmp wait\ntype, 0\n  700406\n  700401\n  jmp .-1\n  jmp i type\n  start begin\n");
     ASSERT_EQ(sightline({"asm", "pdp7", "echo.s", "-o", "echo.rim"}).exit_code, 0);
     ASSERT_EQ(openpty(&master_, &slave_, nullptr, nullptr, nullptr), 0);
-    // The terminal goes away when the test closes it, not when the command does.
+    // The terminal closes when the test closes it, not when the command does.
     ASSERT_EQ(fcntl(master_, F_SETFD, FD_CLOEXEC), 0);
     ASSERT_EQ(tcgetattr(slave_, &before_), 0);
   }
@@ -65,7 +65,7 @@ class Terminal : public CommandLine {
     ASSERT_EQ(ioctl(slave_, TIOCSWINSZ, &size), 0);
   }
   void type(std::string_view keys) { ASSERT_EQ(write_to(master_, keys), keys.size()); }
-  // Reads until the text has been shown.
+  // Reads until the text has been displayed.
   [[nodiscard]] bool shows(std::string_view text) {
     const auto end = steady_clock::now() + patience;
     while (shown_.find(text) == std::string::npos) {
@@ -135,7 +135,7 @@ TEST_F(Terminal, KeysAreEchoedByTheProgramAlone) {
 }
 
 // In a pipe the table has all columns.
-TEST_F(Terminal, TablesLeaveColumnsOutWhereItIsNarrow) {
+TEST_F(Terminal, TablesOmitColumnsOnANarrowTerminal) {
   const std::vector<std::string> words{"compare", "boxes-1", "--orthographic", "3,0,4", "--no-host-times", "--methods", "exact,turn-pdp7", "-o", "none"};
   const std::string whole = sightline(words).out;
   EXPECT_NE(whole.find("  the paper says\n"), std::string::npos) << whole;
@@ -152,7 +152,7 @@ TEST_F(Terminal, TablesLeaveColumnsOutWhereItIsNarrow) {
   EXPECT_FALSE(exists("none"));
 }
 
-TEST_F(Terminal, CtrlEComesToTheMonitorAndBack) {
+TEST_F(Terminal, CtrlEEntersTheMonitorAndReturns) {
   start_echo();
   type("a\005");
   ASSERT_TRUE(shows("pdp7> ")) << shown_;
@@ -186,7 +186,7 @@ TEST_F(Terminal, TheMonitorHasAPromptAndKeepsItsLines) {
 }
 
 // The counts are those of the scenes: a box has 6 faces and 8 corners.
-TEST_F(Terminal, ACommandThatOnlyWritesAFileSaysSo) {
+TEST_F(Terminal, ACommandThatOnlyWritesAFileReportsIt) {
   write("slab.off", "OFF\n8 6 0\n0 0 0\n4 0 0\n4 3 0\n0 3 0\n0 0 1\n4 0 1\n4 3 1\n0 3 1\n"
                     "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
   struct Said {
@@ -194,7 +194,7 @@ TEST_F(Terminal, ACommandThatOnlyWritesAFileSaysSo) {
     std::string line;
   };
   const std::vector<Said> all{
-      // Of a box nine edges are seen from a corner, four from the front.
+      // Of a box nine edges are visible from a corner, four from the front.
       {{"draw", "exact", "slab.off", "--view", "iso", "-o", "a.svg"}, "sightline: a.svg: 9 lines, "},
       {{"draw", "exact", "slab.off", "--view", "front", "--size", "A4", "-o", "a.svg"}, "sightline: a.svg: 4 lines, "},
       {{"draw", "exact", "slab.off", "--size", "A4", "--landscape", "-o", "a.pdf"}, ", 297 x 210 mm"},
@@ -216,7 +216,7 @@ TEST_F(Terminal, ACommandThatOnlyWritesAFileSaysSo) {
     start(said.words);
     EXPECT_TRUE(shows(said.line)) << said.words[0] << " " << said.words[1] << ": " << shown_;
     EXPECT_EQ(ends(), 0);
-    // In a script nothing is said of it.
+    // In a script there is no message.
     std::filesystem::remove(path("v.jsonl"));
     const Ran ran = sightline(said.words);
     EXPECT_EQ(ran.exit_code, 0);
@@ -224,7 +224,7 @@ TEST_F(Terminal, ACommandThatOnlyWritesAFileSaysSo) {
   }
 }
 
-TEST_F(Terminal, NothingIsSaidOfJsonAndOfStandardOutput) {
+TEST_F(Terminal, NoMessageForJsonAndStandardOutput) {
   for (const Arguments& words : {Arguments{"draw", "exact", "boxes-1", "--json", "-o", "a.svg"}, Arguments{"draw", "exact", "boxes-1", "-o", "-"},
                                  Arguments{"scene", "generate", "boxes", "1"}}) {
     shown_.clear();
@@ -235,7 +235,7 @@ TEST_F(Terminal, NothingIsSaidOfJsonAndOfStandardOutput) {
   }
 }
 
-TEST_F(Terminal, AtThePromptEachCommandSaysWhatItDid) {
+TEST_F(Terminal, AtThePromptEachCommandReportsItsEffect) {
   start({"monitor", "pdp7", "echo.s"});
   ASSERT_TRUE(shows("pdp7> ")) << shown_;
   // Deposited and shown in octal: 10. is 12.
@@ -263,7 +263,7 @@ TEST_F(Terminal, AtThePromptEachCommandSaysWhatItDid) {
   const Ran ran = sightline({"monitor", "pdp7", "echo.s"}, "deposit 300 10.\nattach reader echo.rim\ntrace t.txt\ntrace off\nsave s.snap\n");
   EXPECT_EQ(ran.exit_code, 0);
   EXPECT_EQ(ran.out, "");
-  // A file of commands says no more at a prompt than in a pipe.
+  // A file of commands prints the same at a prompt as in a pipe.
   write("c", "deposit 300 10.\nexamine 300\n");
   start({"monitor", "pdp7", "echo.s"});
   ASSERT_TRUE(shows("pdp7> ")) << shown_;
@@ -276,7 +276,7 @@ TEST_F(Terminal, AtThePromptEachCommandSaysWhatItDid) {
   EXPECT_EQ(ends(), 0);
 }
 
-TEST_F(Terminal, CtrlCAndCtrlEComeBackToTheMonitor) {
+TEST_F(Terminal, CtrlCAndCtrlEReturnToTheMonitor) {
   start({"monitor", "pdp7", "echo.s"});
   ASSERT_TRUE(shows("pdp7> ")) << shown_;
   type("continue\r");
@@ -310,7 +310,7 @@ TEST_F(Terminal, SignalsEndItInOrder) {
   }
 }
 
-TEST_F(Terminal, AStopGivesTheTerminalBackForAsLongAsItLasts) {
+TEST_F(Terminal, ASuspendedRunRestoresTheTerminalMeanwhile) {
   start_echo();
   send_signal(SIGTSTP);
   const auto end = steady_clock::now() + patience;
@@ -325,7 +325,7 @@ TEST_F(Terminal, AStopGivesTheTerminalBackForAsLongAsItLasts) {
   EXPECT_TRUE(restored());
 }
 
-TEST_F(Terminal, ATerminalThatGoesAwayEndsTheRunAndFilesAreWritten) {
+TEST_F(Terminal, AClosedTerminalEndsTheRunAndFilesAreWritten) {
   start_echo();
   hang_up();
   const int code = ends();
@@ -333,8 +333,8 @@ TEST_F(Terminal, ATerminalThatGoesAwayEndsTheRunAndFilesAreWritten) {
   EXPECT_TRUE(exists("d"));
 }
 
-// At the prompt Ctrl-C drops the line, as in a shell.
-TEST_F(Terminal, CtrlCAtThePromptDropsTheLine) {
+// At the prompt Ctrl-C discards the line, as in a shell.
+TEST_F(Terminal, CtrlCAtThePromptDiscardsTheLine) {
   start({"monitor", "pdp7", "echo.rim"});
   ASSERT_TRUE(shows("pdp7> ")) << shown_;
   type("deposit 100 1\003");
@@ -347,7 +347,7 @@ TEST_F(Terminal, CtrlCAtThePromptDropsTheLine) {
   EXPECT_TRUE(restored());
 }
 
-// The machine runs, with the terminal as its console and without: other signals than Ctrl-C end the session, not only the run.
+// The machine runs, with and without the terminal as its console: signals other than Ctrl-C end the session, not only the run.
 TEST_F(Terminal, ASignalInARunOfTheMonitorEndsTheSessionInOrder) {
   for (const bool console : {false, true}) {
     for (const int number : {SIGTERM, SIGHUP}) {
@@ -367,7 +367,7 @@ TEST_F(Terminal, ASignalInARunOfTheMonitorEndsTheSessionInOrder) {
   }
 }
 
-TEST_F(Terminal, CtrlCFromOutsideStopsTheRunAndLeavesThePrompt) {
+TEST_F(Terminal, SigintFromOutsideStopsTheRunAndReturnsToThePrompt) {
   start({"monitor", "pdp7", "echo.s", "--console", "parity"});
   ASSERT_TRUE(shows("pdp7> ")) << shown_;
   type("continue\r");
@@ -377,13 +377,13 @@ TEST_F(Terminal, CtrlCFromOutsideStopsTheRunAndLeavesThePrompt) {
   shown_.clear();
   type("evaluate 1+2\r");
   ASSERT_TRUE(shows("3 = 3.")) << shown_;
-  type("quit\r");  // a Ctrl-D that comes before the line editor has the terminal again is lost
+  type("quit\r");  // a Ctrl-D that comes before the line editor reads the terminal again is lost
   EXPECT_EQ(ends(), 0);
   EXPECT_TRUE(restored());
 }
 
-// A session that `run` has handed to the monitor: what ends the monitor ends the run.
-TEST_F(Terminal, ASignalBehindCtrlEEndsTheRun) {
+// A session that `run` has passed to the monitor: a signal that ends the monitor ends the run.
+TEST_F(Terminal, ASignalAfterCtrlEEndsTheRun) {
   start_echo();
   type("\005");
   ASSERT_TRUE(shows("pdp7> ")) << shown_;
@@ -393,7 +393,8 @@ TEST_F(Terminal, ASignalBehindCtrlEEndsTheRun) {
   EXPECT_TRUE(exists("d"));
 }
 
-// A program that hangs in the host, here on a terminal that takes no more, is ended by the second signal; `timeout` sends two at once.
+// A program that hangs in the host, here because the terminal is full, is ended by the second signal; `timeout` sends two at
+// once.
 TEST_F(Terminal, TheSecondSignalEndsAtOnce) {
   write("loud.s", "100/\nbegin, lac (301\nloop, 700406\n  jmp loop\n  start begin\n");
   ASSERT_EQ(sightline({"asm", "pdp7", "loud.s", "-o", "loud.rim"}).exit_code, 0);
@@ -410,13 +411,13 @@ TEST_F(Terminal, TheSecondSignalEndsAtOnce) {
   EXPECT_TRUE(restored());
 }
 
-// What is written at the end of a session, the lines typed here, is written then, too.
+// The output at the end of a session, the typed lines here, is written then, too.
 TEST_F(Terminal, ASignalAtThePromptEndsTheSessionInOrder) {
   start({"monitor", "pdp7", "echo.rim"});
   ASSERT_TRUE(shows("pdp7> ")) << shown_;
   shown_.clear();
   type("examine 100\r");
-  // The answer, and then the next prompt: from then on a line is being read.
+  // The answer and the next prompt: from then on the command reads a line.
   ASSERT_TRUE(shows("00100 200117")) << shown_;
   shown_.erase(0, shown_.find("00100 200117"));
   ASSERT_TRUE(shows("pdp7> ")) << shown_;

@@ -1,5 +1,6 @@
-// Value change dumps of both machines. Expected instants follow from the manuals: a cycle of the PDP-7 is 1,750 ns, an LAC
-// is a fetch and an execute; a T-state of the 8080 at 3 MHz is 333.3 ns, MOV is 5 of them, STA 4+3+3+3.
+// Value change dumps of both machines. Expected instants follow from the manuals: a cycle of the PDP-7 is 1,750 ns, an LAC is a
+// fetch and
+// an execute; a T-state of the 8080 at 3 MHz is 333.3 ns, MOV takes 5 of them, STA 4+3+3+3.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +21,7 @@ struct Dump {
   // When a signal took a value, as text: "0", "1", "z" or digits after b.
   std::map<std::string, std::vector<std::pair<std::int64_t, std::string>>> changes;
 
-  // At an instant; "x" before the first change.
+  // The value at an instant; "x" before the first change.
   [[nodiscard]] std::string at(const std::string& signal, std::int64_t time) const {
     std::string value = "x";
     const auto found = changes.find(signal);
@@ -31,8 +32,9 @@ struct Dump {
   }
 };
 
-// Reads a dump by the standard's grammar, as far as Sightline uses it, and holds it to what must be: instants ascend, each
-// change is one, every identifier was declared, values fit.
+// Reads a dump by the standard's grammar, as far as Sightline uses it, and checks its rules: instants ascend, each change changes
+// the
+// value, every identifier is declared, values fit.
 Dump parsed(const std::string& text) {
   Dump dump;
   std::map<std::string, std::string> names;
@@ -97,7 +99,7 @@ class Vcd : public CommandLine {
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     return parsed(read("d.vcd"));
   }
-  // What GTKWave's converter says.
+  // Converts the dump by GTKWave's converter.
   void expect_converts() {
     if (std::system("command -v vcd2fst > /dev/null") != 0) GTEST_SKIP() << "vcd2fst (package gtkwave) is not installed";
     const std::string command = "cd '" + path(".").string() + "' && vcd2fst d.vcd d.fst > /dev/null && fst2vcd d.fst > back.vcd";
@@ -108,7 +110,7 @@ class Vcd : public CommandLine {
 
 constexpr std::int64_t cycle = 1750;
 
-// What each machine cycle from the first on is shown to be for, at its beginning and at its end.
+// The purpose of each machine cycle from the first on, at its beginning and at its end.
 void expect_cycles(const Dump& dump, const std::vector<std::string>& expected) {
   const auto kind = [&dump](std::int64_t time) {
     std::string kinds;
@@ -122,7 +124,7 @@ void expect_cycles(const Dump& dump, const std::vector<std::string>& expected) {
   }
 }
 
-TEST_F(Vcd, Pdp7CyclesFallWhereTheManualPutsThem) {
+TEST_F(Vcd, Pdp7CyclesHaveTheTimesOfTheManual) {
   // LAC I 200: fetch, defer, execute; DAC 201; ISZ 202; TLS (an IOT); HLT.
   const Dump dump = run("pdp7",
                         "100/\n  lac i 200\n  dac 201\n  isz 202\n  tls\n  hlt\n200/ 300\n  0\n  5\n300/ 123456\n  start 100\n", {});
@@ -135,7 +137,7 @@ TEST_F(Vcd, Pdp7CyclesFallWhereTheManualPutsThem) {
   EXPECT_EQ(dump.at("write", 2 * cycle), "0");
   EXPECT_EQ(dump.at("write", 4 * cycle), "1");
   EXPECT_EQ(dump.at("data", 6 * cycle), "110");
-  // AC has the word when the LAC is over, not before; PC counts with each instruction.
+  // AC has the word when the LAC ends, not before; PC counts with each instruction.
   EXPECT_EQ(dump.at("ac", 3 * cycle - 1), "x");
   EXPECT_EQ(dump.at("ac", 3 * cycle), "1010011100101110");
   EXPECT_EQ(dump.at("pc", 5 * cycle), "1000010");
@@ -146,13 +148,13 @@ TEST_F(Vcd, Pdp7CyclesFallWhereTheManualPutsThem) {
   expect_converts();
 }
 
-TEST_F(Vcd, WhatXctLeadsToHasADeferCycleOfItsOwn) {
-  // XCT I 200 takes LAC I 211 at 210, which takes the word at 212.
+TEST_F(Vcd, TheTargetOfXctHasASeparateDeferCycle) {
+  // XCT I 200 executes LAC I 211 at 210, which loads the word at 212.
   const Dump dump = run("pdp7", "100/\n  xct i 200\n  hlt\n200/ 210\n210/ lac i 211\n212\n5\n  start 100\n", {});
   expect_cycles(dump, {"fetch", "defer", "execute", "defer", "execute", "fetch"});
 }
 
-TEST_F(Vcd, Pdp7BreaksAndInterruptsAreCyclesOfTheirOwn) {
+TEST_F(Vcd, Pdp7BreaksAndInterruptsAreSeparateCycles) {
   const Dump dump = run("pdp7",
                         "1/ jmp 200\n100/\n  lac (400\n  700606\n  ion\n  700406\n  jmp .\n200/ hlt\n400/ 003000\n  start 100\n",
                         {"--display"});
@@ -194,7 +196,7 @@ TEST_F(Vcd, I8080PinsShowEveryTState) {
       "1s", "10d", "11", "100",                     // HLT
       "1s", "10", "110W", "110W"};
   for (std::size_t n = 0; n < expected.size(); ++n) EXPECT_EQ(state(static_cast<int>(n)), expected[n]) << n;
-  // With SYNC the data pins have the status: A2 of a fetch, 42 of an input cycle.
+  // During SYNC the data pins have the status: A2 for a fetch, 42 for an input cycle.
   EXPECT_EQ(dump.at("data", 0), "10100010");
   EXPECT_EQ(dump.at("m1", 0), "1");
   EXPECT_EQ(dump.at("address", 25 * 1000 / 3 + 1), "11100000111");
@@ -214,8 +216,9 @@ TEST_F(Vcd, TheLastCycleOfXthlHasFiveTStates) {
   EXPECT_EQ(states, "1 10 11w 100 101 ");
 }
 
-// MCS-80 User's Manual, chapter 2: HOLD is looked at in T2; HLDA comes in T3 of a cycle that reads, and one T-state later after one
-// that writes; the processor needs no bus in T4 and T5. The next cycle begins in the T-state after that in which HOLD is low.
+// MCS-80 User's Manual, chapter 2: HOLD is sampled in T2. HLDA comes in T3 of a read cycle, and one T-state later after a write
+// cycle; the
+// processor needs no bus in T4 and T5. The next cycle begins in the T-state after the one in which HOLD is low.
 TEST_F(Vcd, HoldTakesTheBusBetweenCycles) {
   const auto state = [](const Dump& dump, int t) {
     const std::int64_t time = (static_cast<std::int64_t>(t) * 1000 + 2) / 3;
@@ -223,24 +226,25 @@ TEST_F(Vcd, HoldTakesTheBusBetweenCycles) {
            (dump.at("wr", time) == "1" ? "w" : "") + (dump.at("hold", time) == "1" ? "H" : "") +
            (dump.at("hlda", time) == "1" ? "A" : "") + (dump.at("address", time) == "z" ? "z" : "");
   };
-  // MOV A,B; STA 1234H; HLT. HOLD in the T-states 1 to 8, the fetch's T2 the first of them.
+  // MOV A,B; STA 1234H; HLT. HOLD in the T-states 1 to 8; the first is the fetch's T2.
   const std::string source = "  ORG 100H\n  MOV A,B\n  STA 1234H\n  HLT\n";
   const Dump reading = run("i8080", source, {"--hold", "1+8"});
   const std::vector<std::string> read{"1s",   "10dH", "11HAz", "100HAz", "101HAz", "0HAz", "0HAz", "0HAz", "0HAz", "0Az",
                                       "1s",   "10d",  "11",    "100",    "1s",     "10d",  "11"};
   for (std::size_t n = 0; n < read.size(); ++n) EXPECT_EQ(state(reading, static_cast<int>(n)), read[n]) << n;
-  // In T2 of the write, T-state 16: its T3, then two T-states of the board.
+  // In T2 of the write, T-state 16: the write's T3, then two T-states for the board.
   const Dump writing = run("i8080", source, {"--hold", "16+3"});
   const std::vector<std::string> written{"1s", "10H", "11wH", "0HAz", "0Az", "1s", "10d", "11", "100", "1s"};
   for (std::size_t n = 0; n < written.size(); ++n) EXPECT_EQ(state(writing, static_cast<int>(n) + 15), written[n]) << n;
-  // Too late for a fetch, gone before the next T2.
+  // Too late for a fetch, over before the next T2.
   const Dump missed = run("i8080", source, {"--hold", "2+4"});
   EXPECT_EQ(missed.changes.at("hlda").size(), 1U);
   EXPECT_EQ(missed.changes.at("hold").size(), 3U);
   expect_converts();
 }
 
-// The 88-2SIO asks for an interrupt as a character has come, and takes it back as it is read. Nothing here has wait states.
+// The 88-2SIO requests an interrupt when a character has arrived, and withdraws it when the character is read. There are no wait
+// states.
 TEST_F(Vcd, TheInterruptOfADeviceOfThe8080) {
   write("p.asm",
         "  ORG 38H\n  IN 11H\n  NOP\n  HLT\n  ORG 100H\n  LXI SP,200H\n  MVI A,95H\n  OUT 10H\n  IN 10H\n  EI\nLOOP: JMP LOOP\n");
@@ -260,11 +264,11 @@ TEST_F(Vcd, TheInterruptOfADeviceOfThe8080) {
   std::int64_t acknowledged = 0;
   for (const auto& [time, value] : dump.changes.at("inta"))
     if (value == "1") acknowledged = time;
-  // The machine looks at the board between instructions, and acknowledges at once.
+  // The machine polls the board between instructions, and acknowledges at once.
   EXPECT_EQ(acknowledged, times[1]);
   EXPECT_EQ(dump.at("inte", acknowledged - 1), "1");
   EXPECT_EQ(dump.at("inte", acknowledged), "0");
-  // The RST is 11 T-states and the IN 10, in the last of which the board takes its request back.
+  // The RST takes 11 T-states and the IN 10; in its last one the board withdraws its request.
   EXPECT_EQ((times[2] - acknowledged + 1) / 333, 21);
   EXPECT_EQ(dump.changes.at("ready").size(), 1U);
   EXPECT_EQ(dump.at("ready", 0), "1");
@@ -278,7 +282,7 @@ TEST_F(Vcd, ADumpWithoutChangesIsOne) {
   EXPECT_TRUE(read("d.vcd").ends_with("#1750\n")) << read("d.vcd");
 }
 
-TEST_F(Vcd, ATargetWithoutAFileIsRefused) {
+TEST_F(Vcd, SignalsWithoutAFileAreAnError) {
   write("halt.oct", "100: 740040\n");
   for (const char* const target : {":ac", ":nothing"}) {
     const Ran ran = sightline({"run", "pdp7", "halt.oct", "--start", "100", "--vcd", target});

@@ -1,5 +1,6 @@
-// The file functions of CP/M 2.2 on a folder of the host. Expected codes and layouts are those of the Interface Guide (1979);
-// what a file holds is read and written by std::fstream, not by the functions.
+// The file functions of CP/M 2.2 on a folder of the host. Expected codes and layouts are those of the Interface Guide (1979); the
+// tests
+// read and write the contents of files by std::fstream.
 #include "host/machines/cpm.hpp"
 #include "host/machines/cpm_files.hpp"
 
@@ -42,7 +43,7 @@ class CpmDrives : public testing::Test {
     fs::remove_all(base_, ignored);
   }
 
-  // "B:NAME.TYP" into the block, all else 0.
+  // Stores "B:NAME.TYP" in the block, all else 0.
   void name(const std::string& text, std::uint16_t at = fcb) {
     std::fill_n(memory_.begin() + at, 36, std::uint8_t{0});
     put_name(text, at);
@@ -74,7 +75,7 @@ class CpmDrives : public testing::Test {
   void random(std::uint32_t number) {
     for (int n = 0; n < 3; ++n) memory_[fcb + 33U + static_cast<unsigned>(n)] = static_cast<std::uint8_t>(number >> 8 * n);
   }
-  // Names in the order of functions 17 and 18.
+  // Names in the order that functions 17 and 18 return.
   std::vector<std::string> search(const std::string& pattern) {
     name(pattern);
     std::vector<std::string> names;
@@ -106,7 +107,7 @@ TEST_F(CpmDrives, ATextEndsInItsLastRecordWithControlZ) {
   EXPECT_EQ(memory_[fcb + 32], 2);
 }
 
-// BDOS 2.2 clears S2, the module, in functions 15 and 22. MAC and others leave bytes there, which would be megabytes.
+// BDOS 2.2 clears S2, the module, in functions 15 and 22. MAC and others leave bytes there, which would mean megabytes.
 TEST_F(CpmDrives, MakingAFileClearsTheModule) {
   name("NEW.DAT");
   memory_[fcb + 13] = 'F';
@@ -118,7 +119,7 @@ TEST_F(CpmDrives, MakingAFileClearsTheModule) {
   EXPECT_EQ(host_file("a/NEW.DAT"), std::string(128, 'x'));
 }
 
-TEST_F(CpmDrives, WhatIsMadeAndWrittenIsOnTheHostAtOnce) {
+TEST_F(CpmDrives, ChangesAreOnTheHostAtOnce) {
   name("NEW.DAT");
   EXPECT_EQ(call(15), not_found);
   EXPECT_EQ(call(22), 0);
@@ -129,11 +130,11 @@ TEST_F(CpmDrives, WhatIsMadeAndWrittenIsOnTheHostAtOnce) {
   EXPECT_EQ(host_file("a/NEW.DAT"), std::string(128, '1') + std::string(128, '2'));
   EXPECT_EQ(call(16), 0);
   name("NEW.DAT");
-  EXPECT_EQ(call(22), not_found) << "a folder has one file of a name";
+  EXPECT_EQ(call(22), not_found) << "a folder has only one file with a name";
   EXPECT_EQ(host_file("a/NEW.DAT").size(), 256U);
 }
 
-TEST_F(CpmDrives, AnExtentHas128RecordsAndTheNextFollowsByItself) {
+TEST_F(CpmDrives, AnExtentHas128RecordsAndTheNextFollowsAutomatically) {
   std::string content;
   for (int n = 0; n < 130; ++n) content += std::string(128, static_cast<char>('A' + n % 26));
   host_file("a/BIG", content);
@@ -206,7 +207,7 @@ TEST_F(CpmDrives, NamesAreListedInOrderAndOnlyThoseThatCpmCanHave) {
   EXPECT_EQ(call(15), not_found);
 }
 
-TEST_F(CpmDrives, ADirectoryEntryTellsTheExtent) {
+TEST_F(CpmDrives, ADirectoryEntryContainsTheExtent) {
   host_file("a/E", std::string(129 * 128, 'x'));
   name("E");
   memory_[fcb + 12] = '?';
@@ -218,7 +219,7 @@ TEST_F(CpmDrives, ADirectoryEntryTellsTheExtent) {
   EXPECT_EQ(memory_[transfer + 12], 1);
   EXPECT_EQ(memory_[transfer + 15], 1);
   EXPECT_EQ(call(18), not_found);
-  // Deleting what was found does not lose the place.
+  // Deleting found files does not lose the position of the search.
   host_file("a/F", "");
   host_file("a/G", "");
   name("?");
@@ -313,7 +314,7 @@ TEST_F(CpmDrives, AFullDiskIsCodeTwoAndLeavesNoHalfRecord) {
   EXPECT_EQ(memory_[fcb + 32], 1);
 }
 
-TEST_F(CpmDrives, OpensWithoutClosesUseUpNothing) {
+TEST_F(CpmDrives, OpeningWithoutClosingLeaksNothing) {
   const auto open_files = [] { return std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator()); };
   const auto before = open_files();
   for (char c = 'A'; c <= 'Z'; ++c) host_file(std::string("a/") + c, "x");
@@ -359,9 +360,10 @@ TEST(CpmDriveOption, IsALetterAFolderAndALock) {
     EXPECT_FALSE(machines::parse_cpm_drive(bad)) << bad;
 }
 
-// Any calls with any blocks: the folder beside those of the drives, what links lead to and the read-only drive stay as they
-// are, and all names made are names of CP/M.
-TEST_F(CpmDrives, NothingOutsideIsTouchedWhateverIsAskedFor) {
+// Any calls with any blocks: folders next to those of the drives, targets of links and the read-only drive are unchanged, and all
+// created
+// names are valid in CP/M.
+TEST_F(CpmDrives, NothingOutsideIsTouchedByAnyCall) {
   fs::create_directory(base_ / "outside");
   host_file("outside/CANARY", "canary");
   host_file("b/LOCKED", "locked");
@@ -381,7 +383,7 @@ TEST_F(CpmDrives, NothingOutsideIsTouchedWhateverIsAskedFor) {
     do function = static_cast<std::uint8_t>(12 + die(29));
     while (!CpmFiles::answers(function));
     call(function, at);
-    // Records far behind would make many long files.
+    // Records at high positions would make many long files.
     if (function == 34 || function == 40) fs::resize_file((host_file("a/S", ""), base_ / "a" / "S"), 0);
   }
   EXPECT_EQ(host_file("outside/CANARY"), "canary");

@@ -1,4 +1,4 @@
-// --device: what it reads, what help says of it, and how a device's counts stand in a report.
+// --device: its syntax, its description in the help, and a device's counts in a report.
 #include "host/machines/device_option.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ std::string refusal(const std::string& text) {
   return read ? "read" : read.error().message();
 }
 
-TEST(DeviceOption, IsThereWithDevicesOnly) {
+TEST(DeviceOption, ExistsOnlyIfThereAreDevices) {
   EXPECT_FALSE(machines::device_option({}).has_value());
   EXPECT_EQ(machines::device_help({}), "");
   const auto option = machines::device_option(devices);
@@ -52,7 +52,7 @@ TEST(DeviceOption, ReadsNamesAndSettings) {
   EXPECT_TRUE(read->back().settings.empty());
 }
 
-TEST(DeviceOption, RefusesWhatIsNoDeviceOrSetting) {
+TEST(DeviceOption, RejectsUnknownDevicesAndSettings) {
   EXPECT_EQ(refusal("drums"), "--device: found \"drums\", expected one of drum, lights");
   EXPECT_EQ(refusal("drum,units"), "--device drum: found \"units\", expected SETTING=N with one of units, late");
   EXPECT_EQ(refusal("drum,"), "--device drum: found \"\", expected SETTING=N with one of units, late");

@@ -1,6 +1,8 @@
-// Which words the display reads, on files of a few words whose reading is written out by hand: the operation of a subroutine word is in bits
-// 0-1 (2 jumps, 3 saves the return, too), the next mode in bits 2-4 (0 parameter, 4 vector, 7 subroutine), the address in bits 5-17; bit 0 of
-// a vector escapes to parameter mode.
+// The words that the display reads, for files of a few words decoded by hand: the operation of a subroutine word is in bits 0-1
+// (2 jumps,
+// 3 also saves the return), the next mode in bits 2-4 (0 parameter, 4 vector, 7 subroutine), the address in bits 5-17; bit 0 of a
+// vector
+// escapes to parameter mode.
 #include "host/machines/display_file.hpp"
 
 #include <gtest/gtest.h>
@@ -38,8 +40,8 @@ TEST(DisplayFile, MayJumpBackToItsBeginning) {
             (Modes{{0100, Mode::parameter}, {0101, Mode::subroutine}}));
 }
 
-// Vectors through all of core; an edge has ended the pass after two of them.
-TEST(DisplayFile, EndsWhereAPassHasEnded) {
+// Vectors through all of core; an edge ended the pass after two of them.
+TEST(DisplayFile, EndsWhereThePassEnded) {
   type340::Registers registers;
   EXPECT_EQ(modes_of({{0100, 0100000}}, {}, registers).size(), 017777U + 1);
   registers.address = 0103;

@@ -1,6 +1,8 @@
-// A run of the 8080 with marked places stops where a run stops that tells each instruction and each cycle to somebody who compares
-// them with the marks afterwards: random walks through memory full of random bytes, which execute what they have written, push
-// and pop over marked places, are interrupted and held, and go on from snapshots in other machines.
+// A run of the 8080 with marked places must stop where a run stops whose observer compares each instruction and each cycle with
+// the
+// marks: random walks through memory full of random bytes, which execute what they have written, push and pop across marked
+// places,
+// are interrupted and held, and continue from snapshots in other machines.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -40,7 +42,7 @@ struct Marks {
   }
 };
 
-// Tells what the marks make of single instructions.
+// Evaluates the marks for single instructions.
 class Oracle {
  public:
   Oracle(std::unique_ptr<Machine> machine, const Marks& marks) : machine_(std::move(machine)), ports_(marks.ports), interrupts_(marks.interrupts) {
@@ -64,7 +66,7 @@ class Oracle {
         ended_ = true;
         return;
       }
-      // In a halt nothing is asked.
+      // The oracle is not called in a halt.
       if (!halted_ && (places_[machine_->get(program_counter)] & Probe::executed) != 0)
         events_.push_back({Probe::Kind::execution, machine_->ticks(), machine_->get(program_counter), 0});
     }
@@ -107,7 +109,7 @@ class Oracle {
   bool ended_ = false;
 };
 
-// The terminal's board asks for an interrupt whenever it can send, and each EI lets one in.
+// The terminal's board requests an interrupt whenever it can send, and each EI admits one.
 std::unique_ptr<Machine> machine_of(const std::string& memory, const std::string& hold) {
   MachineRun of(machines::i8080());
   of.monitored().set_file("--load", "random.bin", memory).set("--start", "100").set("--terminal", "sio").set("--interrupt", "sio=7").set("--set", "sp=8000");
@@ -134,12 +136,12 @@ void walk(std::uint32_t seed, Walk& found) {
     if (value == opcode_of_hlt && below(8) != 0) value = 0xFB;
     byte = static_cast<char>(value);
   }
-  // MVI A,2; OUT 0; EI: the board's request to send
+  // MVI A,2; OUT 0; EI: enables the board's request to send.
   const std::string begin("\x3E\x02\xD3\x00\xFB", 5);
   memory.replace(0x100, begin.size(), begin);
   std::string hold;
   if (seed % 3 == 0) {
-    // One after the other: compilers differ in what they compute first.
+    // Separate statements, because compilers differ in the order of evaluation.
     hold = std::to_string(below(1000)) + "+";
     hold += std::to_string(1 + below(9)) + "/";
     hold += std::to_string(40 + below(900));
@@ -165,7 +167,7 @@ void walk(std::uint32_t seed, Walk& found) {
   marks.put_into(*watched->probe());
   const std::uint64_t end = sightline::tests::effort(4000U, 1500U);
   while (!oracle.ended() && watched->instructions() < end) {
-    // A run that begins at a marked place passes over it; the limit falls between two stops, too.
+    // A run that begins at a marked place does not stop there; the limit is sometimes between two stops.
     const std::uint64_t part = std::min(end, watched->instructions() + 1 + below(1000));
     oracle.run(part);
     watched->probe()->resume();
@@ -173,7 +175,7 @@ void walk(std::uint32_t seed, Walk& found) {
     while (!stop) {
       machines::Limits limits;
       limits.instructions = part;
-      // At any T-state, within a HOLD too: the rest of it is then done by another machine.
+      // At any T-state, also within a HOLD: another machine then completes the HOLD.
       if (below(8) == 0) limits.until = watched->ticks() + below(200);
       stop = watched->run(limits, below(2) == 0);
       if (!stop || !stop->at_until) continue;
@@ -194,7 +196,7 @@ void walk(std::uint32_t seed, Walk& found) {
   }
   for (std::uint32_t at = 0; at < memory.size(); ++at)
     if (watched->word(at) != oracle.machine().word(at)) FAIL() << "seed " << seed << ", address " << at;
-  // Marks are in no snapshot.
+  // Snapshots do not contain marks.
   const auto state = watched->save();
   watched->probe()->clear_marks();
   EXPECT_EQ(watched->save(), state);
@@ -205,9 +207,10 @@ Walk walks(Walk found, std::uint32_t first_seed) {
   return found;
 }
 
-// HOLD from the first T-state on, for 100: the processor stands still behind the first NOP. A run that begins there passes over the
-// breakpoint, however often it ends in the HOLD.
-TEST(I8080Probe, ABreakpointIsPassedOverOnceBehindAHold) {
+// HOLD from the first T-state on, for 100: the processor stops after the first NOP. A run that begins there skips the breakpoint,
+// however
+// often it ends within the HOLD.
+TEST(I8080Probe, ABreakpointIsSkippedOnceAfterAHold) {
   const std::string nops(0x200, '\0');
   const auto unwatched = machine_of(nops, "0+100");
   unwatched->start(0x101);
@@ -243,9 +246,11 @@ TEST(I8080Probe, ABreakpointIsPassedOverOnceBehindAHold) {
   }
 }
 
-// LHLD 2000, and back to it. HOLD for 30 T-states, from each T-state of its second and third time on: the processor stands within the
-// instruction, between it and the jump, or within the jump. The watched access is seen at its own time, from snapshots of any time too.
-TEST(I8080Probe, AWatchSeesWhatAHeldInstructionReadsFromASnapshotToo) {
+// LHLD 2000, and a jump back to it. HOLD for 30 T-states, from each T-state of its second and third execution on: the processor
+// stops within
+// the instruction, between it and the jump, or within the jump. The watched access is reported at its own time, also from
+// snapshots.
+TEST(I8080Probe, AWatchpointSeesReadsOfAHeldInstructionAlsoFromASnapshot) {
   std::string memory(0x200, '\0');
   const std::string program("\x2A\x00\x20\xC3\x00\x01", 6);
   memory.replace(0x100, program.size(), program);
@@ -255,7 +260,7 @@ TEST(I8080Probe, AWatchSeesWhatAHeldInstructionReadsFromASnapshotToo) {
   int pieces = 0;
   for (int first = 26; first < 78; ++first) {
     const std::string hold = std::to_string(first) + "+30";
-    // What happens, from each cycle of an unwatched run.
+    // The expected events, from each cycle of a run without marks.
     const auto told = machine_of(memory, hold);
     std::vector<Probe::Cycle> cycles;
     told->probe()->on_instruction = [](const Probe::Entry&) {};
@@ -301,13 +306,13 @@ TEST(I8080Probe, AWatchSeesWhatAHeldInstructionReadsFromASnapshotToo) {
 
 std::size_t times(const Walk& found, Probe::Kind kind) { return found.of_kind[static_cast<std::size_t>(kind)]; }
 
-TEST(I8080Probe, BreakpointsStopWhereEachInstructionIsCompared) {
+TEST(I8080Probe, BreakpointsStopLikeTheOracle) {
   const Walk found = walks({.executed = true}, 19740401);
   EXPECT_GT(found.pieces, sightline::tests::effort(200U, 20U));
   EXPECT_GT(times(found, Probe::Kind::execution), sightline::tests::effort(1000U, 100U));
 }
 
-TEST(I8080Probe, WatchesStopWhereEachCycleIsCompared) {
+TEST(I8080Probe, WatchpointsStopLikeTheOracle) {
   const Walk found = walks({.accesses = true}, 19750101);
   EXPECT_GT(times(found, Probe::Kind::read), sightline::tests::effort(500U, 50U));
   EXPECT_GT(times(found, Probe::Kind::write), sightline::tests::effort(500U, 50U));
@@ -315,7 +320,7 @@ TEST(I8080Probe, WatchesStopWhereEachCycleIsCompared) {
 
 TEST(I8080Probe, AllKindsOfMarksTogether) {
   [[maybe_unused]] const Walk found = walks({.executed = true, .accesses = true, .ports = true}, 19760101);
-  // Few walks come to ports.
+  // Few walks reach ports.
   if (sightline::tests::optimised()) {
     for (const auto kind : {Probe::Kind::execution, Probe::Kind::read, Probe::Kind::write, Probe::Kind::port_read, Probe::Kind::port_write, Probe::Kind::interrupt})
       EXPECT_GT(times(found, kind), 20U) << static_cast<int>(kind);

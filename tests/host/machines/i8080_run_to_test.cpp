@@ -1,4 +1,4 @@
-// The 8080 of all guests: what a device says is seen at the next boundary, and a run ends at a place.
+// The 8080 as programs use it: a device's requests take effect at the next boundary, and a run ends at an address.
 #include "host/machines/i8080_run_to.hpp"
 
 #include <gtest/gtest.h>
@@ -16,8 +16,9 @@ namespace {
 
 using i8080::StopReason;
 
-// INT is high from the OUT of an odd byte, or a time after it, to the acknowledge, which is given RST 7. Without `drives` it is
-// not connected. The OUT of `stop_at` ends the run.
+// INT is high from the OUT of an odd byte, or a time after it, to the acknowledge, which receives RST 7. Without `drives` it is
+// not
+// connected. The OUT of `stop_at` ends the run.
 class Board final : public core::PortDevice {
  public:
   static constexpr core::PortRange ports[]{{0x10, 0x10}};
@@ -80,7 +81,7 @@ TEST(GuestI8080, ADeviceEndsARunAfterTheInstructionThatTouchedIt) {
   EXPECT_EQ(machine.registers().pc, 3);
 }
 
-TEST(GuestI8080, LimitsHoldWhileAProgramAsksAPort) {
+TEST(GuestI8080, LimitsApplyWhileAProgramPollsAPort) {
   i8080::Machine machine;
   attach_board(machine);
   put(machine, {0xDB, 0x10, 0xC3, 0x00, 0x00});  // IN 10; JMP 0
@@ -96,7 +97,7 @@ TEST(GuestI8080, LimitsHoldWhileAProgramAsksAPort) {
   EXPECT_EQ(now(machine), 1'100'000);
 }
 
-TEST(GuestI8080, AnInterruptThatAnOutBringsFollowsTheOut) {
+TEST(GuestI8080, AnInterruptCausedByAnOutFollowsTheOut) {
   for (const bool wired : {true, false}) {
     i8080::Machine machine;
     attach_board(machine, wired);
@@ -109,8 +110,8 @@ TEST(GuestI8080, AnInterruptThatAnOutBringsFollowsTheOut) {
   }
 }
 
-// The OUT has T3 of its last cycle in T-state 22; the NOPs behind it begin in 23, 27, and so on.
-TEST(GuestI8080, AnInterruptThatAnOutBringsLaterComesInTime) {
+// T3 of the OUT's last cycle is T-state 22; the NOPs after it begin in 23, 27, and so on.
+TEST(GuestI8080, ADelayedInterruptCausedByAnOutComesInTime) {
   for (const std::int64_t delay : {1, 4, 5, 100, 1000}) {
     i8080::Machine machine;
     attach_board(machine, true, delay);
@@ -121,7 +122,7 @@ TEST(GuestI8080, AnInterruptThatAnOutBringsLaterComesInTime) {
     i8080::Limits limits;
     limits.until = core::at_t_state(22 + delay + 1);
     EXPECT_EQ(machine.run(limits), StopReason::time_limit);
-    const std::int64_t nops = (delay + 3) / 4;  // up to the one whose last T-state finds INT high
+    const std::int64_t nops = (delay + 3) / 4;  // up to the NOP whose last T-state samples INT high
     EXPECT_EQ(now(machine), 23 + 4 * nops) << delay;
     EXPECT_TRUE(machine.registers().interrupts_on);
     limits.instructions = 1;
@@ -131,7 +132,7 @@ TEST(GuestI8080, AnInterruptThatAnOutBringsLaterComesInTime) {
   }
 }
 
-TEST(GuestI8080, ARunEndsWhereTheProgramComesToAPlace) {
+TEST(GuestI8080, ARunEndsAtAnAddress) {
   i8080::Machine machine;
   Board& board = attach_board(machine);
   put(machine, {0x00, 0xC3, 0x00, 0x10});  // NOP; JMP 1000
@@ -149,7 +150,7 @@ TEST(GuestI8080, ARunEndsWhereTheProgramComesToAPlace) {
   EXPECT_EQ(machine.instructions(), 2U + 2 * 4 + 1);
 }
 
-TEST(GuestI8080, ARunToAPlaceHasLimits) {
+TEST(GuestI8080, ARunToAnAddressHasLimits) {
   i8080::Machine machine;
   put(machine, {0xC3, 0x00, 0x00});
   i8080::Limits limits;

@@ -1,4 +1,4 @@
-// Devices of an 8080 that a test puts together; what is wrong with them ends the test program.
+// Devices of an 8080 for tests; an error in them ends the test program.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ inline void attach(machines::I8080Setup& setup, std::string_view device, const s
 inline void wire(machines::I8080Setup& setup, std::string_view line, std::uint8_t restart) {
   require_empty(setup.machine->wire(line, restart));
 }
-// Attaches a link, over which the host sends these bytes.
+// Attaches a link through which the host sends these bytes.
 inline void attach_link(machines::I8080Setup& setup, std::string_view link, machines::Bytes bytes) {
   attach(setup, link);
   const machines::Bytes& kept = setup.sent[link] = std::move(bytes);

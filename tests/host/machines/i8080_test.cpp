@@ -1,8 +1,8 @@
-// One run of an 8080 program: the entries of CP/M and what they cost, the texts of trace, bus and dump,
-// interrupts through the ports, and that being asked in between changes nothing.
+// One run of an 8080 program: CP/M's entry points and their cost, the texts of trace, bus and dump, interrupts through the ports;
+// and that
+// polling during a run changes nothing.
 //
-// Expected T-states are sums over opcode-timing.csv, written out beside each program; the stub's OUT and RET
-// take 10 each.
+// Expected T-states are sums over opcode-timing.csv, written beside each program; the stub's OUT and RET take 10 each.
 #include "host/machines/i8080.hpp"
 
 #include <gtest/gtest.h>
@@ -110,7 +110,7 @@ TEST(CpmRun, AStringWrapsAtTheEndOfMemory) {
   EXPECT_EQ(console(left), std::string("BA\xD3\0", 4));
 }
 
-// The loop of a call each 46 T-states never lasts as long as one slice.
+// A loop with a call every 46 T-states never takes a whole slice.
 TEST(CpmRun, AProgramThatPrintsAllTheTimeCanBeInterrupted) {
   int asked = 0;
   const Left left = run_of("LOOP: MVI C,2\n  CALL 5\n  JMP LOOP\n", "1000000")
@@ -130,7 +130,7 @@ TEST(CpmRun, ItsOwnOutToTheStubsPortsIsAnUnansweredPort) {
             R"([{"port":"00","reads":0,"writes":1},{"port":"01","reads":1,"writes":2}])");
 }
 
-TEST(CpmRun, WithoutATakerTheReportHasWhatIsPrinted) {
+TEST(CpmRun, WithoutATakerTheReportHasTheOutput) {
   const Left left = run_of(hello).set("--cpm").set("--json").go();
   EXPECT_EQ(*left.report.find("console")->text(), "Hello, world\r\n");
   EXPECT_EQ(cpm_run_of(hello).set("--json").go().report.find("console"), nullptr);
@@ -159,7 +159,7 @@ TEST(RunI8080, Limits) {
   EXPECT_EQ(run_of(loop).set("--max-states", "0").go().number("instructions"), 0);
 }
 
-TEST(RunI8080, BeingAskedInBetweenChangesNothing) {
+TEST(RunI8080, PollingDuringARunChangesNothing) {
   NEEDS_OPTIMISED_CODE();
   // 22 x 65536 x (5 + 5 + 4 + 10), more than one slice
   const MachineRun counting = run_of(
@@ -196,8 +196,8 @@ TEST(RunI8080, TraceAndBusLines) {
 }
 
 TEST(RunI8080, AnInterruptEndsAHaltAndIsTraced) {
-  // The 8255: port A strobed input, its interrupt on; the host sends one byte, whose RST 7 reads it and halts
-  // for good.
+  // The 8255: port A strobed input with its interrupt enabled. The host sends one byte; its RST 7 reads the byte and halts for
+  // good.
   const MachineRun deaf =
       run_of("  MVI A,0B0H\n  OUT 0E7H\n  MVI A,09H\n  OUT 0E7H\n  EI\n  HLT\n  ORG 38H\n  IN 0E4H\n  HLT\n")
           .set("--set", "sp=200")
@@ -213,7 +213,7 @@ TEST(RunI8080, AnInterruptEndsAHaltAndIsTraced) {
   EXPECT_EQ(deaf.go().text("registers", "pc"), "010A");
 }
 
-TEST(RunI8080, WhatThePlotterDrawsIsJoinedByStep) {
+TEST(RunI8080, StepsOfThePlotterAreJoined) {
   // The Minigraf: pen down at (0, 0), two steps along x, one diagonal; pen up for two steps, down for a dot.
   std::string program;
   for (const char* byte : {"80H", "81H", "82H", "8BH", "0CH", "0DH", "8DH", "0DH"}) {

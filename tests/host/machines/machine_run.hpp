@@ -1,5 +1,4 @@
-// Runs on described machines for tests: options as the command line has them, files out of a table, and what
-// a run leaves behind.
+// Runs on described machines for tests: options as on the command line, files from a table, and the state that a run leaves.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,7 +15,7 @@
 namespace sightline::test {
 
 
-// What is left after a run.
+// The state after a run.
 struct Left {
   machines::Stop stop;
   std::unique_ptr<machines::Machine> machine;
@@ -24,7 +23,7 @@ struct Left {
   std::string dump;
   std::map<std::string, std::string> streams;  // by option
 
-  // The report's number of that name; -1: there is none.
+  // The report's number of that name; -1 if there is none.
   [[nodiscard]] std::int64_t number(std::string_view name) const {
     const base::Json* const value = report.find(name);
     return value == nullptr ? -1 : value->integer().value_or(-1);
@@ -41,7 +40,7 @@ class MachineRun {
   explicit MachineRun(const machines::MachineDescription& machine)
       : machine_(&machine), arguments_(machine.options) {}
 
-  // A flag has no text; of a list, one more element.
+  // A flag has no text; a list option adds an element.
   MachineRun& set(std::string_view option, std::string_view text = {}) {
     machines::Arguments::Value& value = arguments_.value(option);
     const auto found = std::find_if(machine_->options.begin(), machine_->options.end(),
@@ -61,12 +60,12 @@ class MachineRun {
     }
     return *this;
   }
-  // A file of that name, and the option that names it.
+  // Adds a file of that name, and the option that names it.
   MachineRun& set_file(std::string_view option, const std::string& name, std::string_view text) {
     files_[name] = {text.begin(), text.end()};
     return set(option, name);
   }
-  // The machine of a monitor.
+  // Gives the machine a monitor.
   MachineRun& monitored() {
     arguments_.value("--monitor").flag = true;
     return *this;
@@ -82,7 +81,7 @@ class MachineRun {
       return machines::Input{path, found == files_.end() ? machines::Bytes{} : found->second};
     });
   }
-  // What the run is refused with.
+  // The error of the run.
   [[nodiscard]] std::string refusal() const {
     const auto ready = prepared();
     return ready ? "nothing was refused" : ready.error().message();

@@ -1,4 +1,4 @@
-// What guests on the PDP-7 are told by their marks, which strokes they keep, and at which boundary a run stops.
+// For programs on the PDP-7: the marks that are reported, the strokes that are kept, and the boundary at which a run stops.
 #include "host/machines/pdp7_watch.hpp"
 
 #include <gtest/gtest.h>
@@ -86,7 +86,7 @@ struct Rig {
 
 constexpr pdp7::Limits a_second{~std::uint64_t{0}, core::at_nanoseconds(1'000'000'000)};
 
-TEST(ProgramWatch, TellsWhatIsMarked) {
+TEST(ProgramWatch, ReportsMarkedCycles) {
   Rig rig;
   // LAC 110, DAC 111, ISZ 110, DAC 110, LAC 111, HLT
   rig.load(0100, {0200110, 0040111, 0440110, 0040110, 0200111, 0740040});
@@ -98,7 +98,7 @@ TEST(ProgramWatch, TellsWhatIsMarked) {
                                                          {pdp7::Verb::modify, 0110}}));
 }
 
-TEST(ProgramWatch, StopsBehindTheInstruction) {
+TEST(ProgramWatch, StopsAfterTheInstruction) {
   Rig rig(At::nothing, true);
   rig.load(0100, {0740000, 0740000, 0740000, 0740040});
   rig.machine.start(0100);
@@ -108,8 +108,8 @@ TEST(ProgramWatch, StopsBehindTheInstruction) {
   EXPECT_EQ(rig.run(a_second), pdp7::StopReason::halt);
 }
 
-// The last instruction of a run is told, too, where no boundary is asked about behind it.
-TEST(ProgramWatch, TellsAHalt) {
+// The last instruction of a run is reported, too, although no boundary follows it.
+TEST(ProgramWatch, ReportsAHalt) {
   Rig rig(At::nothing, true);
   rig.load(0101, {0740040});
   rig.machine.start(0101);
@@ -124,9 +124,10 @@ TEST(ProgramWatch, StopsWhereAPassBegins) {
   EXPECT_EQ(rig.machine.registers().pc, 0103U);
 }
 
-// The display is brought up to date at the first boundary at or after the end of its pass, and so the taker of strokes hears of the end there; one
-// instruction later, or behind the interrupt, the run stops.
-TEST(ProgramWatch, StopsBehindTheBoundaryAtWhichAPassEnds) {
+// The display catches up at the first boundary at or after the end of its pass, where the taker of strokes is told of the end;
+// the run
+// stops one instruction later, or after the interrupt.
+TEST(ProgramWatch, StopsAfterTheBoundaryAtWhichAPassEnds) {
   for (const bool interrupts : {false, true}) {
     Rig free;
     free.load_display(interrupts);
@@ -144,12 +145,12 @@ TEST(ProgramWatch, StopsBehindTheBoundaryAtWhichAPassEnds) {
     EXPECT_EQ(rig.run(a_second), pdp7::StopReason::observer);
     EXPECT_EQ(rig.machine.now(), first.machine.now() + pdp7::machine_cycle);
     EXPECT_EQ(rig.machine.registers().pc == 1, interrupts);
-    // Asked once.
+    // Requested once.
     EXPECT_EQ(rig.run(a_second), pdp7::StopReason::time_limit);
   }
 }
 
-TEST(ProgramWatch, KeepsStrokesWhereItIsTold) {
+TEST(ProgramWatch, KeepsStrokesOnRequest) {
   Rig rig;
   rig.load_display(false);
   EXPECT_EQ(rig.run(a_second), pdp7::StopReason::time_limit);

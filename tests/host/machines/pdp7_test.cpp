@@ -1,5 +1,4 @@
-// One run of a PDP-7 program: that being asked in between changes nothing, and what a run keeps of its
-// strokes.
+// One run of a PDP-7 program: polling during a run changes nothing; and the strokes that a run keeps.
 #include "host/machines/pdp7.hpp"
 
 #include <fmt/core.h>
@@ -34,9 +33,9 @@ MachineRun run_of(const std::string& core) {
   return MachineRun(machines::pdp7()).set_file("--load", "core", core);
 }
 
-// Counts at 200 for ever, with the clock interrupting every 20 ms. Each interrupt starts the display again,
-// whose data breaks fall between the counts; `interrupts` (a negative number) of them are counted, the last
-// one halts.
+// Counts at 200 for ever, with the clock interrupting every 20 ms. Each interrupt starts the display again, whose data breaks
+// fall between
+// the counts. The program counts `interrupts` (a negative number) of them; the last one halts.
 std::string busy_core(unsigned interrupts = 0777766) {
   return words_at(0, {0, 0600300}) +  // 0: what the interrupt stores; 1: JMP 300
          words_at(7, {0777777}) +     // the clock's counter: the next tick interrupts
@@ -56,7 +55,7 @@ MachineRun busy_run(unsigned interrupts = 0777766) {
   return run_of(busy_core(interrupts)).set("--start", "100").set("--display");
 }
 
-// Device 55 twice, then for ever JMP 102.
+// Device 55 twice, then JMP 102 for ever.
 TEST(RunPdp7, WarnsOnceWhileItRuns) {
   auto ready = run_of(words_at(0100, {0705512, 0705512, 0600102})).set("--start", "100").prepared();
   ASSERT_TRUE(ready.has_value());
@@ -70,7 +69,7 @@ TEST(RunPdp7, WarnsOnceWhileItRuns) {
   EXPECT_TRUE(machine.warnings().empty());
 }
 
-// 0 is CAL, which goes on at 21; nothing was loaded there or says where the program begins.
+// 0 is CAL, which continues at 21; nothing was loaded there, and no start address is given.
 TEST(RunPdp7, WarnsOnceOfMemoryThatIsEmpty) {
   const auto warnings = [](const std::string& core, std::string_view start) {
     MachineRun setup = run_of(core);
@@ -88,14 +87,14 @@ TEST(RunPdp7, WarnsOnceOfMemoryThatIsEmpty) {
   const std::string empty = "PC 00021: executes memory that is empty: nothing was loaded there";
   EXPECT_EQ(warnings(words_at(0100, {0600100}), ""), std::vector<std::string>{empty + "; --start names where the program begins"});
   EXPECT_EQ(warnings(words_at(0100, {0740000}), "100"), std::vector<std::string>{empty});
-  // LAC 103, DAC 200, JMP 200, where it has put itself: JMP 200.
+  // LAC 103, DAC 200, JMP 200: the program has stored JMP 200 there.
   EXPECT_EQ(warnings(words_at(0100, {0200103, 0040200, 0600200, 0600200}), "100"), std::vector<std::string>{});
-  // A 0 that was loaded: CAL, and at 21 CAL again.
+  // A loaded 0: CAL, and CAL again at 21.
   EXPECT_EQ(warnings(words_at(020, {0, 0}), "20"), std::vector<std::string>{});
 }
 
-// A state that is refused leaves the machine without a display if it had none.
-TEST(RunPdp7, ARefusedStatePlugsInNoDisplay) {
+// A failed restore leaves a machine without display as it was.
+TEST(RunPdp7, AFailedRestoreConnectsNoDisplay) {
   const Left used = run_of(busy_core()).set("--start", "100").set("--max-instructions", "100").go();
   machines::MachineState damaged = used.machine->save();
   const auto display = std::find_if(damaged.begin(), damaged.end(), [](const auto& section) { return section.name == "display"; });
@@ -114,14 +113,14 @@ TEST(RunPdp7, ARefusedStatePlugsInNoDisplay) {
   EXPECT_TRUE(same(fresh->machine->save(), before));
 }
 
-TEST(RunPdp7, BeingAskedInBetweenChangesNothing) {
+TEST(RunPdp7, PollingDuringARunChangesNothing) {
   NEEDS_OPTIMISED_CODE();
   const Left alone = busy_run().set("--max-instructions", "20000000").go();
   EXPECT_EQ(alone.stop.name, "halt");
   EXPECT_EQ(alone.machine->word(0201), 0U);
   EXPECT_EQ(alone.number("passes_started"), 11);
-  EXPECT_EQ(alone.number("passes"), 10);  // HLT cuts the last one short
-  // A counter that never comes to its end keeps the run going past several questions.
+  EXPECT_EQ(alone.number("passes"), 10);  // HLT ends the last pass early
+  // A counter that never reaches zero keeps the run going through several polls.
   const Left long_alone = busy_run(0).set("--max-instructions", "20000000").go();
   EXPECT_EQ(long_alone.stop.name, "instruction_limit");
   int asked = 0;
@@ -133,11 +132,11 @@ TEST(RunPdp7, BeingAskedInBetweenChangesNothing) {
   expect_same(in_between, long_alone);
 }
 
-TEST(RunPdp7, MovingThePenWhereItSeesNothingChangesNothing) {
+TEST(RunPdp7, MovingADisabledPenChangesNothing) {
   const MachineRun watched = busy_run().set("--trace").set("--strokes");
   const Left alone = MachineRun(watched).go();
   ASSERT_EQ(alone.stop.name, "halt");
-  // The display file never enables the pen, so even one that sees all of the screen has no effect.
+  // The display file never enables the pen, so even a pen that sees the whole screen has no effect.
   std::string script;
   for (std::int64_t i = 0; i < 3000; ++i)
     script += seconds(i * 97'003) + " " + (i % 3 == 0 ? everywhere : "off") + "\n";
@@ -157,7 +156,7 @@ TEST(RunPdp7, MovingThePenWhereItSeesNothingChangesNothing) {
   EXPECT_EQ(counted.streams.at("--trace"), cut.streams.at("--trace"));
 }
 
-// The numbers lines begin with.
+// The numbers at the beginning of lines.
 std::vector<std::int64_t> first_fields(const std::string& text) {
   std::vector<std::int64_t> fields;
   std::istringstream lines(text);
@@ -165,8 +164,7 @@ std::vector<std::int64_t> first_fields(const std::string& text) {
   return fields;
 }
 
-// A single lit point, waited for with IDSP: the pen finds it if it was pointed at a boundary before the
-// flash.
+// A single lit point, polled with IDSP: the pen finds it if the pen was moved there at a boundary before the flash.
 TEST(RunPdp7, ThePenMovesAtTheFirstBoundaryAtOrAfterItsTime) {
   const MachineRun point = run_of(words_at(0100, {0200107, 0700606, 0700701, 0600102, 0740040}) +
                                   words_at(0107, {0000110, 0034117, 0220400, 0002600, 0003000}))
@@ -192,7 +190,7 @@ TEST(RunPdp7, ThePenMovesAtTheFirstBoundaryAtOrAfterItsTime) {
   EXPECT_LT(found, 161);
 }
 
-TEST(RunPdp7, APenWithoutADisplayIsNothing) {
+TEST(RunPdp7, APenWithoutADisplayHasNoEffect) {
   machines::Pdp7Setup setup;
   setup.pen_script = {{core::at_nanoseconds(0), type340::LightPen{}}};
   const auto machine = make_pdp7(setup).value();

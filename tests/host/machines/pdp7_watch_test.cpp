@@ -1,7 +1,10 @@
-// Breakpoints, watches and conditions of the PDP-7 on random programs: a run that is watched stops where one stops that is taken
-// instruction by instruction and asked after each cycle, by its own rule, which knows nothing of marks. Programs write over their own
-// instructions, count up in 10-17, follow chains of XCT, are interrupted, and have words written by the clock, the display (Type
-// 347) and the disk; a third of what is watched lies among what they execute.
+// Breakpoints, watchpoints and conditions of the PDP-7 on random programs: a watched run must stop where the oracle stops, which
+// runs
+// single instructions and evaluates each cycle by an independent rule without marks. Programs overwrite their own instructions,
+// count
+// up in 10-17, follow chains of XCT, are interrupted, and have words written by the clock, the display (Type 347) and the disk; a
+// third
+// of the watched words are among those that they execute.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -66,7 +69,7 @@ struct Watched {
   }
 };
 
-// Where a run has stopped, and what for.
+// Where a run has stopped, and the reason.
 struct Met {
   std::int64_t time = 0;
   std::uint32_t next = 0;
@@ -96,7 +99,7 @@ std::vector<std::uint64_t> state_of(const Machine& machine) {
   return state;
 }
 
-// The run under test: as long as it can, in pieces of any length.
+// The run under test: runs that are as long as possible, in pieces of any length.
 Run observed(Machine& machine, const Watched& watched, std::uint64_t instructions, std::mt19937_64& random) {
   Run done;
   Probe& probe = *machine.probe();
@@ -121,7 +124,7 @@ Run observed(Machine& machine, const Watched& watched, std::uint64_t instruction
   return done;
 }
 
-// The oracle: each instruction by itself, whose cycles are told to it.
+// The oracle: single instructions, with all their cycles reported.
 Run stepped(Machine& machine, const Watched& watched, std::uint64_t instructions) {
   Run done;
   Probe& probe = *machine.probe();
@@ -163,14 +166,15 @@ Run stepped(Machine& machine, const Watched& watched, std::uint64_t instructions
   while (machine.instructions() < instructions) {
     machines::Limits limits;
     limits.instructions = machine.instructions() + 1;
-    // IOTs are told of by their marks alone, which an oracle may leave to the machine: only their places in the run are compared.
+    // IOTs are reported by their marks alone, which the oracle leaves to the machine: only their positions in the run are
+    // compared.
     for (const std::uint32_t port : watched.ports) probe.mark_port(port, Probe::executed);
     const auto stop = machine.run(limits, false);
     for (const Probe::Event& event : probe.events())
       if (event.kind == Probe::Kind::port_write) met.events.push_back(event);
     probe.resume();
     if (stop && stop->name != machines::stopped_by_probe && stop->name != "instruction_limit") {
-      // It has not come to a boundary at which it would be asked, but what it has done is told.
+      // The last boundary was not reached, but the cycles before it are reported.
       const bool holds = watched.question && watched.question->holds(machine);
       if (!met.events.empty() || holds != held) done.met.push_back({machine.ticks(), machine.get(pc), met.events, holds});
       break;
@@ -192,7 +196,7 @@ struct Random {
   std::mt19937_64 engine;
 };
 
-// Nearly all references go to a page or to the first words, so that programs meet their own words.
+// Nearly all references go to one page or to the first words, so that programs reach their own words.
 std::uint32_t random_place(Random& random, std::uint32_t words) {
   switch (random.below(8)) {
     case 0: return random.below(words);
@@ -293,7 +297,7 @@ void expect_same_stops(std::uint64_t seed, std::uint64_t instructions, std::size
   ASSERT_EQ(found.met.size(), expected.met.size()) << "seed " << seed;
   ASSERT_EQ(found.state == expected.state, true) << "seed " << seed;
   stops += found.met.size();
-  // What was watched is no more.
+  // Removes what was watched.
   const auto state_later = [](Machine& unwatched) {
     machines::Limits limits;
     limits.instructions = unwatched.instructions() + 500;
@@ -303,7 +307,7 @@ void expect_same_stops(std::uint64_t seed, std::uint64_t instructions, std::size
   ASSERT_EQ(state_later(*machine) == state_later(*oracle), true) << "seed " << seed << ", unwatched";
 }
 
-TEST(Pdp7Watch, RandomProgramsStopWhereEachInstructionIsAsked) {
+TEST(Pdp7Watch, RandomProgramsStopLikeTheOracle) {
   std::size_t stops = 0;
   const std::uint64_t programs = tests::effort(100U, 10U);
   for (std::uint64_t seed = 1; seed <= programs && !::testing::Test::HasFatalFailure(); ++seed) expect_same_stops(seed, 2000, stops);

@@ -1,5 +1,6 @@
-// A machine of this test, described: 16 words of 8 bits and six instructions. All that the engine does for a
-// machine works for it, so a third machine needs no more than what is here.
+// A machine described by this test: 16 words of 8 bits and six instructions. Everything that the engine offers for machines works
+// for
+// it, so another machine needs no more than this.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -12,7 +13,7 @@ namespace {
 
 using machines::OptionKind;
 
-// The high digit of a word is the instruction, the low four bits an address. Every instruction takes 1 us.
+// The high digit of a word is the instruction, the low four bits are an address. Every instruction takes 1 us.
 class Toy final : public machines::Machine {
  public:
   explicit Toy(std::string device) : device_(std::move(device)) {}
@@ -157,7 +158,7 @@ TEST(ToyMachine, RunsToItsHaltAndIsReported) {
   EXPECT_EQ(left.dump, "9 05\n00 00 00 00\n1E 2F 3D 50\n00 00 00 00\n00 05 02 03\n");
 }
 
-TEST(ToyMachine, LimitsAndQuestionsEndRuns) {
+TEST(ToyMachine, LimitsAndPollsEndRuns) {
   EXPECT_EQ(run_of(counting).set("--max-instructions", "7").go().number("instructions"), 7);
   const Left left = run_of(counting).set("--max-time", "12").set("--printer").go();
   EXPECT_EQ(left.stop.name, "time_limit");
@@ -183,7 +184,7 @@ TEST(ToyMachine, DevicesTakeAndGiveFiles) {
   EXPECT_EQ(left.machine->output("--device-out"), (machines::Bytes{'x', 'y', 'z'}));
 }
 
-TEST(ToyMachine, WhatIsWrongIsRefused) {
+TEST(ToyMachine, ErrorsAreRejected) {
   EXPECT_EQ(MachineRun(toy()).refusal(),
             "run toy: needs a PROGRAM or --load FILE: without a program there is nothing to run");
   EXPECT_EQ(run_of("0=0").set("--device-out", "out").refusal(), "--device-out: needs --device");
@@ -203,7 +204,7 @@ TEST(ToyMachine, WhatIsWrongIsRefused) {
             "--max-instructions: found \"x\", expected a whole decimal number such as 1000000 or 1e6");
 }
 
-TEST(Machines, EveryOneHasWhatTheCommandsAskFor) {
+TEST(Machines, EveryOneHasWhatTheCommandsNeed) {
   for (const machines::MachineDescription* machine : machines::machines()) {
     EXPECT_FALSE(machine->name.empty());
     EXPECT_NE(machine->make, nullptr) << machine->name;

@@ -13,7 +13,7 @@
 namespace sightline::manual {
 namespace {
 
-// A source of one or more lines, and why it is refused. The manual shows each line as code of its own.
+// A source of one or more lines, and the reason for its error. The manual shows each line as code.
 struct Refused {
   std::string_view source;
   std::string_view why;
@@ -32,7 +32,7 @@ std::string shown(std::string_view source) {
   return text;
 }
 
-// The first message on each source; an error if the assembler has nothing to say.
+// The first message for each source; an error if the assembler accepts one.
 template <class Assemble>
 base::Result<std::string> refused(const auto& cases, Assemble assemble) {
   Table table{"source", "message", "because"};
@@ -86,7 +86,7 @@ constexpr std::array bell_cases{
     Refused{"law -3", "757775 is no LAW; -3 alone is one: 777775"},
     Refused{"08", "a leading 0 means octal"},
     Refused{"262144", "a word has 18 bits"},
-    Refused{"jmp 1f", "no label 1: behind it"},
+    Refused{"jmp 1f", "no label 1: after it"},
     Refused{"10: 5", "relative labels are 0: to 9:"},
     Refused{"a: lac a+a", "`..` would have to be added twice"},
     Refused{"1+", "`as` adds 0"},
@@ -201,7 +201,7 @@ base::Result<std::string> pdp7_pseudo_operations(const std::string& source) {
 }
 
 base::Result<std::string> i8080_directives(const std::string& source) {
-  // By the name of the enumerator, in the order of the manual.
+  // Keyed by the enumerator, in the order of the manual.
   static const std::vector<std::pair<std::string, std::string>> meanings{
       {"org", "the address of what follows"},
       {"equ", "`NAME EQU value`, for ever"},
@@ -225,7 +225,7 @@ base::Result<std::string> i8080_directives(const std::string& source) {
       {"endif", "the end of an IF"},
       {"macro", "`NAME MACRO p,q`: a macro to ENDM"},
       {"endm", "the end of a MACRO, REPT, IRP or IRPC"},
-      {"local", "`LOCAL x`: a name of its own in each expansion"},
+      {"local", "`LOCAL x`: a unique name in each expansion"},
       {"rept", "`REPT n`: the lines to ENDM n times"},
       {"irp", "`IRP p,<a,b>`: once for each argument"},
       {"irpc", "`IRPC p,text`: once for each character"},

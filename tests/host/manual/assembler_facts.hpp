@@ -1,4 +1,4 @@
-// Sections on the assemblers: their words, and what they refuse with the message that they give.
+// Sections on the assemblers: their words, and rejected sources with the messages.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@ namespace sightline::manual {
 [[nodiscard]] base::Result<std::string> pdp7_refused();
 [[nodiscard]] base::Result<std::string> bell_refused();  // of the dialect of Bell Laboratories
 [[nodiscard]] base::Result<std::string> i8080_refused();
-// Where the dialects of 8080 sources differ.
+// The differences between the dialects of 8080 sources.
 [[nodiscard]] std::string i8080_dialects();
-// From the source of the assembler, because its tables are not in a header. An error names a word without description.
+// Read from the source of the assembler, because its tables are not in a header. An error names a word without description.
 [[nodiscard]] base::Result<std::string> pdp7_pseudo_operations(const std::string& source);
 [[nodiscard]] base::Result<std::string> i8080_directives(const std::string& source);
 

@@ -1,6 +1,7 @@
 #!/bin/sh
-# manual_facts finds each kind of damage: a changed fact, a section that does not exist, one without an end, an end
-# without a beginning, a file that is not there. And --write mends the first.
+# manual_facts must find each kind of error: a changed fact, an unknown section, a section without end, an end without beginning,
+# a
+# missing file. --write must correct the first.
 #
 #   check_fails.sh MANUAL_FACTS REPOSITORY
 set -u
@@ -10,7 +11,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 failed=0
 
-# $1: what the complaint must say; $2: the page.
+# $1: the expected error message; $2: the page.
 expect() {
   if "$facts" --check "$root" "$2" > /dev/null 2> "$folder/said"; then
     echo "accepted: $1"

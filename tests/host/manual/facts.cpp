@@ -45,7 +45,7 @@ Text source(const std::string& root, const std::string& what) {
   return "```" + language + "\n" + text.value() + "```\n";
 }
 
-// The forms of programs that `run` loads and `asm` writes.
+// The program formats that `run` loads and `asm` writes.
 std::string program_formats() {
   Table table{"machine", "format", "told by"};
   for (const auto* machine : machines::machines()) {
@@ -57,7 +57,7 @@ std::string program_formats() {
   return table.text();
 }
 
-// What a register is, and in which order a dump has them.
+// The meaning of the registers, in the order of a dump.
 std::string registers() {
   Table table{"machine", "register", "bits", "in a dump"};
   for (const auto* machine : machines::machines()) {

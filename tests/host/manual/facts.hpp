@@ -8,9 +8,11 @@
 
 namespace sightline::manual {
 
-// The text of the section NAME, with a line end. `root` is the repository: "source PATH" shows a file of it, "source
-// PATH from WORD" shows it from the line on that begins with WORD. An error names a section that does not exist, a
-// file that cannot be read, or a word of a table that has no description.
+// The text of the section NAME, with a line end. `root` is the repository: "source PATH" shows a file of it, "source PATH from
+// WORD"
+// shows the file from the line that begins with WORD. An error names a section that does not exist, a file that cannot be read,
+// or a
+// table's word without description.
 [[nodiscard]] base::Result<std::string> section(std::string_view name, const std::string& root);
 
 }  // namespace sightline::manual

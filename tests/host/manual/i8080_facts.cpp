@@ -62,7 +62,7 @@ std::string flags_text(std::uint8_t flags) {
   return text;
 }
 
-// The first opcode of a row, and how many there are: they do not lie side by side.
+// The first opcode of a row, and the number of opcodes, which are not consecutive.
 std::string opcodes(const i8080::Instruction& row) {
   int count = 0;
   int first = -1;
@@ -92,7 +92,7 @@ std::string microseconds(core::Duration time) {
   return fmt::format("{:g} us", static_cast<double>(time.count()) / 1e3);
 }
 
-// A new operation does not compile without (-Wswitch).
+// A new operation without text does not compile (-Wswitch).
 std::string effect(i8080::Operation operation) {
   using O = i8080::Operation;
   switch (operation) {

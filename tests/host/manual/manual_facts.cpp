@@ -1,9 +1,9 @@
-// Writes the generated sections of the manual, or checks that they are those that the code gives.
+// Writes the generated sections of the manual, or checks that they equal the text from the code.
 //
 //   manual_facts --check ROOT FILE...     exit code 1 if a section differs
 //   manual_facts --write ROOT FILE...     rewrites the sections in place
 //
-// A section stands between the lines `<!-- begin NAME -->` and `<!-- end NAME -->`. ROOT is the repository.
+// A section is between the lines `<!-- begin NAME -->` and `<!-- end NAME -->`. ROOT is the repository.
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -28,7 +28,7 @@ std::string place(const std::string& text, std::size_t at) {
   return "line " + std::to_string(line);
 }
 
-// The text with all sections as the code gives them, and how many there are.
+// The text with all sections as generated, and their number.
 Result<std::string> rewritten(const std::string& text, const std::string& file, const std::string& root, int& count) {
   std::string result;
   std::size_t at = 0;

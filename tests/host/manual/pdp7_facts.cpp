@@ -25,7 +25,7 @@ std::string microseconds(core::Duration time) {
   return fmt::format("{:g}", static_cast<double>(time.count()) / 1000);
 }
 
-// One sentence for each operation; a new one does not compile without (-Wswitch).
+// One sentence per operation; a new operation without text does not compile (-Wswitch).
 std::string effect(Operation operation) {
   switch (operation) {
     case Operation::cal: return "JMS to 20; the address is ignored";
@@ -113,7 +113,7 @@ std::string pdp7_operate() { return names_of(pdp7::Class::opr, pdp7::Class::law)
 
 std::string pdp7_eae() { return names_of(pdp7::Class::eae, pdp7::Class::eae); }
 
-// Those of the devices, in the order of their codes, stand before those of the extend mode.
+// IOTs of the devices, in the order of their codes, come before those of the extend mode.
 std::string pdp7_iots() {
   Table table{"name", "word", "meaning"};
   const auto add_own = [&table](bool of_extend_mode) {

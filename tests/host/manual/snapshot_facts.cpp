@@ -18,7 +18,7 @@
 namespace sightline::manual {
 namespace {
 
-// Fields that come again and again, as those of 256 ports, are written once.
+// Repeated fields, such as those of 256 ports, are written once.
 std::string once(const std::string& fields) {
   constexpr std::string_view between = "; ";
   constexpr std::size_t often = 8;
@@ -32,7 +32,7 @@ std::string once(const std::string& fields) {
   return all == fields && times >= often ? fmt::format("{} times ({})", times, unit) : fields;
 }
 
-// A visitor that writes names and types, one row for each section. A list gets one element, to be described.
+// A visitor that writes names and types, one row per section. A list gets one element for the description.
 class Describer final : public core::StateVisitor {
  public:
   explicit Describer(Table& table) : table_(&table) {}

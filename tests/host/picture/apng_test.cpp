@@ -1,5 +1,6 @@
-// Animated PNG: chunk for chunk as the specification has it, and each frame put back into a PNG of its own is
-// the picture that went in. CRCs are checked by the PNG reader, which has its own.
+// Animated PNG: the chunks follow the specification, and each frame, put into a separate PNG, equals the input picture. The PNG
+// reader
+// checks CRCs by its own code.
 #include "host/picture/apng.hpp"
 
 #include <gtest/gtest.h>
@@ -64,21 +65,20 @@ TEST(Apng, ChunksInOrder) {
   for (std::size_t i = 5; i < 9; ++i) EXPECT_EQ(number(chunks[i].data, 0), i - 4);
 }
 
-// The reader takes the first frame from the file as it is; it skips what it does not know, but checks the
-// codes of all it reads.
+// The reader takes the first frame from the file unchanged; it skips unknown chunks, but checks the codes of all that it reads.
 TEST(Apng, FirstFrameIsThePicture) {
   const auto file = decode_png(animation(2), "animation");
   ASSERT_TRUE(file) << file.error().message();
   EXPECT_EQ(file->image, picture(20, 10, 0));
 }
 
-TEST(Apng, EveryFrameIsWhole) {
+TEST(Apng, EveryFrameIsComplete) {
   const base::Bytes bytes = animation(4);
   int frame = 0;
   for (const Chunk& chunk : chunks_of(bytes)) {
     if (chunk.type != "fdAT") continue;
     ++frame;
-    // The same frame as a still picture has this as its IDAT.
+    // The same frame as a still picture has this IDAT.
     const auto still = encode_png(picture(20, 10, frame));
     ASSERT_TRUE(still);
     for (const Chunk& part : chunks_of(*still))
@@ -88,7 +88,7 @@ TEST(Apng, EveryFrameIsWhole) {
   EXPECT_EQ(frame, 3);
 }
 
-// Bit by bit, as the specification defines the code; the file's own must be that over type and data.
+// Computes the code bit by bit from its definition; each chunk's code must be that over its type and data.
 TEST(Apng, CodesOfAllChunks) {
   const base::Bytes bytes = animation(2);
   for (std::size_t at = 8; at < bytes.size();) {
@@ -101,11 +101,11 @@ TEST(Apng, CodesOfAllChunks) {
     EXPECT_EQ(~code, number(bytes, at + 8 + length)) << at;
     at += length + 12;
   }
-  // The one code that is in every PNG ever written.
+  // The IEND code, which is the same in every PNG.
   EXPECT_EQ(number(bytes, bytes.size() - 4), 0xAE426082U);
 }
 
-TEST(Apng, RefusesWhatDoesNotFit) {
+TEST(Apng, RejectsUnsuitablePictures) {
   ApngWriter writer;
   EXPECT_FALSE(writer.finish());
   EXPECT_FALSE(writer.add(Image()));

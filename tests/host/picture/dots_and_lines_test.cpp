@@ -1,4 +1,4 @@
-// Dots and lines by hand; rounding is part of the error.
+// Dots and lines, computed by hand; rounding is part of the error.
 #include "host/picture/dots_and_lines.hpp"
 
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 namespace sightline::picture {
 namespace {
 
-TEST(DotsAndLines, ARightRasterIsAHalfAway) {
-  // A level line at 4.4: dots at 4, 0.4 away; the line is up to (0.5, 0.4) from a dot.
+TEST(DotsAndLines, ACorrectRasterIsHalfADotAway) {
+  // A horizontal line at 4.4: dots at 4, 0.4 away; the line is up to (0.5, 0.4) from a dot.
   PixelGrid dots(32, 16);
   for (int x = 2; x <= 12; ++x) dots.set(x, 4, 1);
   const DotsAndLines d = dots_and_lines(dots, {{{2, 4.4}, {12, 4.4}}});
@@ -22,12 +22,12 @@ TEST(DotsAndLines, ARightRasterIsAHalfAway) {
   EXPECT_GE(d.hausdorff.greatest, 0.4) << "not 0";
 }
 
-TEST(DotsAndLines, WhatIsMissingAndTooMuch) {
+TEST(DotsAndLines, MissingAndExtra) {
   PixelGrid dots(32, 16);
   for (int x = 0; x <= 10; ++x) dots.set(x, 8, 1);
   dots.set(5, 11, 1);  // 3 away
   dots.set(5, 6, 1);   // 2 away, which is beyond 1 only
-  // The line goes on to 20: of 10 points, those from 11 on are beyond 1, from 12 on beyond 2.
+  // The line continues to 20: of 10 points, those from 11 on are beyond 1, from 12 on beyond 2.
   const DotsAndLines d = dots_and_lines(dots, {{{0, 8}, {20, 8}}});
   EXPECT_EQ(d.dots, 13U);
   EXPECT_EQ(d.dots_beyond_1, 2U);
@@ -51,7 +51,7 @@ TEST(DotsAndLines, OneMovedDotIsFound) {
   EXPECT_LT(right.hausdorff.greatest, 0.8);
 }
 
-TEST(DotsAndLines, OfNothing) {
+TEST(DotsAndLines, OfEmptyPictures) {
   const PixelGrid nothing(8, 8);
   const DotsAndLines lost = dots_and_lines(nothing, {{{1, 1}, {5, 1}}});
   EXPECT_DOUBLE_EQ(lost.length_beyond_2, 4);

@@ -1,4 +1,4 @@
-// PDF and DXF read back: by the rules of their formats, every line is where the paper has it.
+// PDF and DXF read back by the rules of their formats: every line is at its position on the paper.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,8 +34,8 @@ VectorDrawing three_lines() {
 
 const DrawnLines expected_lines{{{10, 10}, {110, 10}, {110, 80}}, {{30, 20}, {50, 40}}, {{60, 45}}};
 
-// Layers without lines are in no file, and the others have the same numbers in all of them.
-TEST(VectorDrawings, LayersWithoutLinesAreLeftOut) {
+// Layers without lines are in no file, and the others have the same numbers in all files.
+TEST(VectorDrawings, LayersWithoutLinesAreOmitted) {
   VectorDrawing drawing = three_lines();
   drawing.layers = {{"flat", {1, 1, 1}}, drawing.layers[0], {"border", {2, 2, 2}}, drawing.layers[1], {"hidden", {3, 3, 3}}};
   for (DrawingLine& line : drawing.lines) line.layer = line.layer == 0 ? 1 : 3;
@@ -52,7 +52,7 @@ TEST(VectorDrawings, LayersWithoutLinesAreLeftOut) {
   EXPECT_TRUE(without_empty_layers(VectorDrawing{10, 10, {{"a", {}}}, {}, {}, {}}).layers.empty());
 }
 
-// Where the ink of an upright line is in its row: the middle, in pixels.
+// The middle of the ink of an upright line in its row, in pixels.
 double middle_of_ink(const Image& image, int row) {
   double ink = 0;
   double sum = 0;
@@ -64,7 +64,8 @@ double middle_of_ink(const Image& image, int row) {
   return sum / ink;
 }
 
-// A4 at 150 dots to an inch has no whole number of them: a line is where the paper has it, to a hundredth of a millimetre.
+// A4 at 150 dots per inch is not a whole number of pixels: lines are at their position on the paper, to a hundredth of a
+// millimetre.
 TEST(VectorDrawings, ASheetHasTheSamePixelsForEveryMillimetre) {
   VectorDrawing sheet;
   sheet.width = 210;
@@ -79,7 +80,7 @@ TEST(VectorDrawings, ASheetHasTheSamePixelsForEveryMillimetre) {
   }
 }
 
-TEST(Pdf, ObjectsAreWhereTheTableSaysAndLinesWhereThePaperHasThem) {
+TEST(Pdf, ObjectsMatchTheTableAndLinesThePaper) {
   const std::string pdf = pdf_of(three_lines(), a_sheet, "a (drawing)");
   EXPECT_EQ(pdf, pdf_of(three_lines(), a_sheet, "a (drawing)"));
   ASSERT_EQ(pdf.substr(0, 8), "%PDF-1.5");
@@ -115,7 +116,7 @@ TEST(Pdf, ObjectsAreWhereTheTableSaysAndLinesWhereThePaperHasThem) {
   EXPECT_EQ(lines[3], (std::vector<std::pair<double, double>>{{60, 45}, {60, 45}}));
 }
 
-TEST(Dxf, EntitiesAreOfLayersThatTheTableHas) {
+TEST(Dxf, EntitiesHaveLayersOfTheTable) {
   const std::string dxf = dxf_of(three_lines(), a_sheet);
   std::istringstream text(dxf);
   std::vector<std::pair<int, std::string>> groups;
@@ -139,7 +140,7 @@ TEST(Dxf, EntitiesAreOfLayersThatTheTableHas) {
   EXPECT_EQ(tests::lines_of_dxf(dxf), expected_lines);
 }
 
-// A layer of dashed lines has a linetype with the dash and the gap of the drawing, and whole lines.
+// A layer of dashed lines has a linetype with the drawing's dash and gap, and unbroken lines.
 TEST(Dxf, DashedLayersHaveALinetype) {
   VectorDrawing drawing = three_lines();
   drawing.layers[1].dash = 4;  // drawing units across: two millimetres each
@@ -151,8 +152,8 @@ TEST(Dxf, DashedLayersHaveALinetype) {
   EXPECT_EQ(tests::lines_of_dxf(dxf), expected_lines);
 }
 
-// What is shorter than a thousandth of a millimetre is no piece of a line, alone or within a line.
-TEST(VectorDrawings, NoPieceHasLengthZeroInAFile) {
+// A segment shorter than a thousandth of a millimetre is omitted, alone or within a line.
+TEST(VectorDrawings, NoSegmentHasLengthZeroInAFile) {
   VectorDrawing drawing;
   drawing.width = 100;
   drawing.height = 70;
@@ -169,8 +170,8 @@ TEST(VectorDrawings, NoPieceHasLengthZeroInAFile) {
   EXPECT_EQ(without_dots(tests::lines_of_dxf(dxf_of(drawing, a_sheet))), expected);
 }
 
-// Distances do not add up their roundings: after thousands of them a line is where it should be.
-TEST(Svg, LinesAreWhereThePaperHasThem) {
+// Rounding errors of relative coordinates do not accumulate: after thousands of them a line is at its position.
+TEST(Svg, LinesAreAtTheirPositionOnThePaper) {
   VectorDrawing drawing;
   drawing.width = 50;
   drawing.height = 70;
@@ -198,7 +199,7 @@ TEST(Svg, LinesAreWhereThePaperHasThem) {
   }
 }
 
-// Very many lines share paths, and are the same lines.
+// Many lines share paths, and are the same lines.
 TEST(Svg, VeryManyLinesShareAPath) {
   VectorDrawing drawing;
   drawing.width = 50;

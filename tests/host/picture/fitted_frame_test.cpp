@@ -1,6 +1,8 @@
 // The law of fitted frames: no line of a picture is lost, added or moved between the algorithm's pieces and the file. Random
-// boxes from random sides on random paper, in every format, read back by the rules of the format. Where the lines must be is
-// worked out here from the definition of a camera (PolyCamera) and of a fitted drawing.
+// boxes from
+// random sides on random paper, in every format, read back by the rules of the format. The expected positions are computed here
+// from the
+// definitions of a camera (PolyCamera) and of a fitted drawing.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -58,7 +60,7 @@ std::optional<View> random_view(Dice& dice) {
   return view;
 }
 
-// The pieces in millimetres of a field, by the definitions alone. Empty if the picture would not be fitted.
+// The pieces in millimetres of the field, by the definitions alone. Empty if the picture cannot be fitted.
 std::optional<std::vector<DrawnSegment>> expected_lines(const View& view, const LinePicture& picture, double width, double height) {
   const auto unit = [](const scene::PolyPoint& v) {
     const long double length = std::sqrt(static_cast<long double>(v[0]) * v[0] + static_cast<long double>(v[1]) * v[1] +
@@ -99,16 +101,16 @@ std::optional<std::vector<DrawnSegment>> expected_lines(const View& view, const 
       const long double size = a == 0 ? width : height;
       line[i] = static_cast<double>(size / 2 + (image[i] - (bounds[a] + bounds[2 + a]) / 2) * scale);
     }
-    // A line seen as a point is none.
+    // A line seen end-on is omitted.
     if (std::hypot(line[2] - line[0], line[3] - line[1]) > 1e-6) lines.push_back(line);
   }
   return lines;
 }
 
-// Both ways: each line is in the file, and the file has nothing else.
+// Both ways: each line is in the file, and the file has no other lines.
 void expect_same(const std::vector<DrawnSegment>& expected, const std::vector<DrawnSegment>& found, double tolerance) {
   for (const DrawnSegment& line : expected) ASSERT_LE(tests::distance_from(found, line), tolerance) << "a line is missing";
-  for (const DrawnSegment& line : found) ASSERT_LE(tests::distance_from(expected, line), tolerance) << "a line is nowhere in the picture";
+  for (const DrawnSegment& line : found) ASSERT_LE(tests::distance_from(expected, line), tolerance) << "a line is extra";
 }
 
 std::vector<DrawnSegment> moved(std::vector<DrawnSegment> lines, double scale, double across, double up) {
@@ -123,7 +125,7 @@ std::vector<DrawnSegment> lying(std::vector<DrawnSegment> lines, double height) 
   return lines;
 }
 
-// All dark pixels lie on the lines, and the lines on dark pixels.
+// All dark pixels are on the lines, and the lines are on dark pixels.
 void expect_pixels(const std::vector<DrawnSegment>& lines, const Image& image) {
   const auto is_dark = [&](int column, int row) { return image.pixels[image.index(column, row)] < 250; };
   for (int row = 0; row < image.height; ++row) {
@@ -165,7 +167,7 @@ TEST(FittedFrame, EveryLineOfThePictureIsInTheFileAndNoOther) {
     paper.margin = dice(0, 14) + dice(0, 1) / 3.0;
     const int format = n % 7;
     const ImageSize pixels{dice(30, 120), dice(30, 120), 1.2};
-    if (format == 6) {  // an image, whose field is four pixels a unit
+    if (format == 6) {  // an image, whose field is four pixels per unit
       paper.width = pixels.width / 4.0;
       paper.height = pixels.height / 4.0;
       paper.margin = 0;
@@ -191,7 +193,7 @@ TEST(FittedFrame, EveryLineOfThePictureIsInTheFileAndNoOther) {
     const std::vector<DrawnSegment> expected = moved(*in_field, 1, paper.margin, paper.margin);
     SCOPED_TRACE("case " + std::to_string(n) + ", format " + std::to_string(format));
     VectorDrawing drawing = line_drawing(picture, view->scene, view->camera, field);
-    // Half of them in the order of a pen, which joins ends within 0.005 mm and leaves out corners within 0.001 mm.
+    // Half of them in pen order, which joins ends within 0.005 mm and omits corners within 0.001 mm.
     double slack = 0.0001;  // points of a drawing are in single precision
     if (dice(0, 1) == 0) {
       drawing = in_pen_order(drawing, paper);
@@ -209,7 +211,7 @@ TEST(FittedFrame, EveryLineOfThePictureIsInTheFileAndNoOther) {
       case 4: {
         const bool upright = paper.height > paper.width;
         const std::vector<DrawnSegment> sheet = upright ? lying(expected, paper.height) : expected;
-        // The middle of the paper is the middle of what the plotter reaches.
+        // The middle of the paper is the middle of the plotter's range.
         double x = 0;
         double y = 0;
         for (const PlotterPaperLimits& limits : plotter->papers)
@@ -228,7 +230,7 @@ TEST(FittedFrame, EveryLineOfThePictureIsInTheFileAndNoOther) {
         break;
       }
       default: {
-        // Half a pen and half a pixel are kept free around it.
+        // Half a pen width and half a pixel are kept free around it.
         const double margin = 1.2 / 2 + 0.5;
         std::vector<DrawnSegment> lines = *in_field;
         for (DrawnSegment& line : lines)

@@ -1,4 +1,4 @@
-// Colours of heights: lighter with every step, so that grey prints read them.
+// Colours of heights: lighter with every step, so that a grey print stays readable.
 #include "host/picture/height_colours.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ TEST(HeightColours, AreLighterWithHeight) {
   }
 }
 
-TEST(HeightColours, BeyondTheRangeAreThoseOfItsEnds) {
+TEST(HeightColours, AreClampedToTheRange) {
   EXPECT_EQ(height_colour(-1), height_colour(0));
   EXPECT_EQ(height_colour(2), height_colour(1));
   EXPECT_EQ(height_colour(std::nan("")), height_colour(0));

@@ -1,5 +1,6 @@
-// Pen paths on their way to paper: HP-GL read back by an interpreter of its own must draw every step of the
-// paths, where the paper has them; so must the image and the SVG drawing.
+// Pen paths on paper: an independent interpreter of HP-GL must draw every step of the paths at its position on the paper; so must
+// the
+// image and the SVG drawing.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,7 +47,7 @@ struct Plotted {
   std::size_t longest_instruction = 0;
 };
 
-// IN, SP, PU and PD with absolute coordinates, as a plotter reads them; anything else fails the test.
+// Reads IN, SP, PU and PD with absolute coordinates, as a plotter does; anything else fails the test.
 Plotted plot(const std::string& text) {
   Plotted plotted;
   std::pair<long, long> pen{0, 0};
@@ -79,7 +80,7 @@ Plotted plot(const std::string& text) {
   return plotted;
 }
 
-TEST(Hpgl, WorkedByHand) {
+TEST(Hpgl, ComputedByHand) {
   const std::vector<PenPath> paths{{{{0, 0}, {3, 0}, {3, 2}}}, {{{10, 10}}}};
   EXPECT_EQ(hpgl(paths, minigraf_paper), "IN;\nSP1;\nPU0,0;\nPD15,0,15,10;\nPU50,50;\nPD;\nPU;\nSP0;\n");
   // 3 * 10.16 = 30.48, 2 * 10.16 = 20.32, 10 * 10.16 = 101.6
@@ -87,7 +88,7 @@ TEST(Hpgl, WorkedByHand) {
   EXPECT_EQ(hpgl({}, calcomp_paper), "IN;\nSP1;\nPU;\nSP0;\n");
 }
 
-TEST(Hpgl, ErrorsOfRoundingDoNotAddUp) {
+TEST(Hpgl, RoundingErrorsDoNotAccumulate) {
   for (int x = 0; x < 256; ++x) {
     const std::vector<PenPath> paths{{{{x, 0}, {x, 255}}}};
     const Plotted plotted = plot(hpgl(paths, calcomp_paper));
@@ -96,7 +97,7 @@ TEST(Hpgl, ErrorsOfRoundingDoNotAddUp) {
   }
 }
 
-TEST(Hpgl, DrawsEveryPathAndNothingElse) {
+TEST(Hpgl, DrawsExactlyThePaths) {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     Points walked;
     const auto paths = random_paths(seed, walked);
@@ -134,7 +135,7 @@ TEST(PenImages, BlackensEveryPointOnceScaled) {
   }
 }
 
-TEST(PenImages, PointsOffThePaperAreLeftOut) {
+TEST(PenImages, PointsOffThePaperAreOmitted) {
   const std::vector<PenPath> paths{{{{-3, 4}, {2, 4}}}, {{{256, 256}}}};
   const Image image = pen_image(paths, calcomp_paper, 1);
   EXPECT_EQ(std::count(image.pixels.begin(), image.pixels.end(), 0), 3);

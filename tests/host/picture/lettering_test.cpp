@@ -1,4 +1,4 @@
-// Lettering: every sign is there, is told from all others and stays in its place.
+// Lettering: every character exists, differs from all others and stays in its box.
 #include "host/picture/lettering.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ VectorDrawing drawn(const std::string& text, double height = 6, TextDirection di
   return drawing;
 }
 
-TEST(Lettering, EverySignIsWithinItsPlace) {
+TEST(Lettering, EveryCharacterIsWithinItsBox) {
   for (const char c : every_sign()) {
     const std::string sign(1, c);
     VectorDrawing drawing;
@@ -37,8 +37,8 @@ TEST(Lettering, EverySignIsWithinItsPlace) {
   }
 }
 
-// A sign is as wide as it says: its strokes reach both sides.
-TEST(Lettering, SignsFillTheirWidth) {
+// A character has its stated width: its strokes reach both sides.
+TEST(Lettering, CharactersFillTheirWidth) {
   for (const char c : every_sign()) {
     const auto points = drawn(std::string(1, c)).points;
     if (points.empty() || (c >= '0' && c <= '9')) continue;
@@ -48,19 +48,19 @@ TEST(Lettering, SignsFillTheirWidth) {
   }
 }
 
-TEST(Lettering, SignsAreTold) {
+TEST(Lettering, CharactersDiffer) {
   const std::string all = every_sign();
   for (const char a : all)
     for (const char b : all) EXPECT_EQ(drawn(std::string(1, a)).points == drawn(std::string(1, b)).points, a == b) << a << b;
   EXPECT_EQ(drawn("\n").points, drawn("\xe4").points);
 }
 
-TEST(Lettering, FiguresAreOfOneWidth) {
+TEST(Lettering, DigitsHaveOneWidth) {
   for (char c = '1'; c <= '9'; ++c) EXPECT_EQ(text_width(6, std::string(1, c)), text_width(6, "0"));
 }
 
-// Strokes of the parts follow each other; those of a turned text are turned.
-TEST(Lettering, TextIsItsSigns) {
+// Strokes of the characters follow each other; those of a turned text are turned.
+TEST(Lettering, TextConsistsOfItsCharacters) {
   const VectorDrawing whole = drawn("Qgy 8");
   VectorDrawing parts;
   double x = 0;
@@ -75,7 +75,8 @@ TEST(Lettering, TextIsItsSigns) {
   }
 }
 
-// Small letters without an ascender end at two thirds of a capital; g, j, p, q and y go below the line, and so do , ; _ and $.
+// Small letters without an ascender end at two thirds of a capital; g, j, p, q and y extend below the line, and so do , ; _ and
+// $.
 TEST(Lettering, HeightsOfSmallLetters) {
   for (char c = 'a'; c <= 'z'; ++c) {
     const auto points = drawn(std::string(1, c)).points;

@@ -1,4 +1,4 @@
-// Line pictures as drawings: where points come to lie, what is cut off, joined lines, dashes.
+// Line pictures as drawings: positions of points, clipping, joined lines, dashes.
 #include "host/picture/line_drawing.hpp"
 
 #include <gtest/gtest.h>
@@ -57,11 +57,11 @@ TEST(LineDrawing, AFieldInDegrees) {
   }
 }
 
-TEST(LineDrawing, WhatIsBeyondTheFieldIsCut) {
-  const scene::PolyScene scene = square(8);  // corners at 2, sides outside of the window altogether
+TEST(LineDrawing, LinesAreClippedToTheField) {
+  const scene::PolyScene scene = square(8);  // corners at 2, sides completely outside the window
   EXPECT_TRUE(line_drawing(wire_frame(scene), scene, {}, field(100, 100, 90)).lines.empty());
   scene::PolyCamera camera;
-  camera.eye = {8, 0, 0};  // the right side runs through the middle from top to bottom
+  camera.eye = {8, 0, 0};  // the right side crosses the middle from top to bottom
   const VectorDrawing drawing = line_drawing(wire_frame(scene), scene, camera, field(100, 100, 90));
   ASSERT_EQ(drawing.lines.size(), 1U);
   ASSERT_EQ(drawing.points.size(), 2U);
@@ -69,7 +69,7 @@ TEST(LineDrawing, WhatIsBeyondTheFieldIsCut) {
   EXPECT_EQ(drawing.points[1], (DrawingPoint{50, 100}));
 }
 
-TEST(LineDrawing, AllAroundTheEyeIsCutToTheUsualAngle) {
+TEST(LineDrawing, AroundTheEyeLinesAreClippedToTheDefaultAngle) {
   scene::PolyBuilder builder;
   builder.add_box("room", {-10, -10, -10}, {10, 10, 20});
   const scene::PolyScene scene = builder.take();
@@ -123,18 +123,18 @@ TEST(LineDrawing, CoincidingEdgesAreDrawnOnce) {
   EXPECT_EQ(drawing.lines[0].count, 5U);
 }
 
-TEST(LineDrawing, ALineThatOnlyTouchesTheBorderIsNone) {
+TEST(LineDrawing, ALineThatOnlyTouchesTheBorderIsOmitted) {
   const std::array layers{LineLayer{"visible", {}}};
   const ImageWindow window{{-1, -1}, {1, 1}};
   UnitedLines lines;
   lines.lines = {{{1, 0, 1}, {2, 0, 1}}, {{0.5, 2, 1}, {0.5, 1, 1}}, {{1, 0, 1}, {1, 0.5, 1}}};
   const auto strokes = strokes_in(lines, layers, window, field(100, 100));
   ASSERT_EQ(strokes.size(), 1U);
-  EXPECT_EQ(strokes[0].to, (std::array{1.0, 0.5})) << "that along the border";
+  EXPECT_EQ(strokes[0].to, (std::array{1.0, 0.5})) << "the one along the border";
 }
 
-// Only lines with an end that nothing meets are left out, and lengths are those of lines, not of their parts.
-TEST(LineDrawing, ShortLinesAreLeftOutUnlessTheyCloseAGap) {
+// Only lines with a free end are omitted, and the lengths are those of lines, not of their parts.
+TEST(LineDrawing, ShortLinesAreOmittedUnlessTheyCloseAGap) {
   const std::array layers{LineLayer{"silhouette", {}}, LineLayer{"crease", {}}};
   const ImageWindow window{{0, 0}, {10, 10}};
   DrawingField f = field(10, 10);
@@ -176,7 +176,7 @@ TEST(Hatching, LeavesOutWhatLiesOnEdgesAndHidesDashes) {
   EXPECT_EQ(lines.lines[3].to[1], 9) << "across";
 }
 
-TEST(LineDrawing, NothingIsADrawingOfNothing) {
+TEST(LineDrawing, AnEmptyPictureGivesAnEmptyDrawing) {
   const scene::PolyScene scene = square();
   const VectorDrawing drawing = line_drawing(LinePicture{}, scene, {}, field(100, 50));
   EXPECT_TRUE(drawing.lines.empty());

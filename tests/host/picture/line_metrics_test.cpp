@@ -1,4 +1,4 @@
-// Metrics of line pictures: cases measured by hand, and the laws of line_metrics.hpp.
+// Metrics of line pictures: cases computed by hand, and the laws of line_metrics.hpp.
 #include "host/picture/line_metrics.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace sightline::picture {
 namespace {
 
-// 100 pixels to the right; seen from 20 to 60.
+// 100 pixels to the right; visible from 20 to 60.
 ReferenceLine hundred(LineId id, double y = 10) {
   return {id, {{0, y}, {100, y}}, {{0, 1}}, {{0.2, 0.6}}};
 }
@@ -25,7 +25,7 @@ DrawnPiece drawn(LineId id, double from, double to, double y = 10) {
   return {id, {{from, y}, {to, y}}};
 }
 
-TEST(LineMetrics, OfWhatIsSeenIsNothing) {
+TEST(LineMetrics, OfTheVisiblePartsAreZero) {
   const LineMetrics m = line_metrics({hundred(1)}, {drawn(1, 20, 60)});
   EXPECT_NEAR(m.true_length, 40, 1e-9);
   EXPECT_NEAR(m.drawn_length, 40, 1e-9);
@@ -37,7 +37,7 @@ TEST(LineMetrics, OfWhatIsSeenIsNothing) {
   EXPECT_EQ(m.pieces_different, 0U);
 }
 
-TEST(LineMetrics, CountsWhatIsMissingAndWhatIsExtra) {
+TEST(LineMetrics, CountsMissingAndExtra) {
   // 15 missing at the left, 10 extra at the right.
   const LineMetrics m = line_metrics({hundred(1)}, {drawn(1, 35, 70)});
   EXPECT_NEAR(m.missing, 15, 1e-9);
@@ -48,20 +48,21 @@ TEST(LineMetrics, CountsWhatIsMissingAndWhatIsExtra) {
   EXPECT_NEAR(m.extra_far, 9, 0.25);
   EXPECT_NEAR(m.hausdorff.greatest, 15, 1e-9);
   EXPECT_EQ(m.pieces_different, 2U);
-  // 25 of the 100 pixels are wrong; of each wrong stretch the pixel at the end of the truth is not asked, nor
-  // the right ones beside it: 23 of 96.
+  // 25 of the 100 pixels are wrong. Neither the pixel at the end of the true part of each wrong stretch nor the correct pixel
+  // next to it is
+  // sampled: 23 of 96.
   EXPECT_NEAR(m.wrong_visibility.rate, 23.0 / 96, 0.01);
   EXPECT_LE(m.wrong_visibility.low, 23.0 / 96);
   EXPECT_GE(m.wrong_visibility.high, 23.0 / 96);
 }
 
-TEST(LineMetrics, APieceBesideItsLineIsMeasuredOnTheLine) {
+TEST(LineMetrics, APieceNextToItsLineIsMeasuredOnTheLine) {
   const LineMetrics m = line_metrics({hundred(1)}, {drawn(1, 20, 60, 10.5)});
   EXPECT_NEAR(m.missing + m.extra, 0, 1e-9);
   EXPECT_NEAR(m.hausdorff.greatest, 0.5, 1e-9);
 }
 
-TEST(LineMetrics, DrawingTwiceAndInPartsIsNoError) {
+TEST(LineMetrics, DrawingTwiceAndInPartsIsNotAnError) {
   const LineMetrics m = line_metrics({hundred(1)}, {drawn(1, 20, 45), drawn(1, 60, 40), drawn(1, 30, 50)});
   EXPECT_NEAR(m.drawn_length, 40, 1e-9);
   EXPECT_NEAR(m.symmetric(), 0, 1e-9);
@@ -69,7 +70,7 @@ TEST(LineMetrics, DrawingTwiceAndInPartsIsNoError) {
 }
 
 TEST(LineMetrics, ExtraOnAnotherTrueLineIsNotFar) {
-  // Line 2 lies half a pixel above line 1, is hidden, and is drawn: extra that nobody sees.
+  // Line 2 is half a pixel above line 1, is hidden, and is drawn: extra that is invisible.
   ReferenceLine hidden = hundred(2, 10.5);
   hidden.visible.clear();
   const LineMetrics m = line_metrics({hundred(1), hidden}, {drawn(1, 20, 60), drawn(2, 20, 60, 10.5)});
@@ -85,7 +86,7 @@ TEST(LineMetrics, PiecesOfUnknownLinesAreExtra) {
   EXPECT_EQ(m.pieces_different, 1U);
 }
 
-TEST(LineMetrics, AskOnlyWhereThereAreEdges) {
+TEST(LineMetrics, SampleOnlyOnEdges) {
   ReferenceLine line = hundred(1);
   line.edges = {{0, 0.3}, {0.5, 0.6}};
   line.visible = {{0, 0.3}};
@@ -172,7 +173,7 @@ TEST(LineMetricsLaws, Hold) {
     const LineMetrics m = line_metrics(p.truth, p.drawn, {2000, 1});
     EXPECT_LE(m.extra_far, m.extra + 1e-9);
     EXPECT_LE(m.missing_far, m.missing + 1e-9);
-    EXPECT_NEAR(m.true_length - m.missing, m.drawn_length - m.extra, 1e-6) << "what both have";
+    EXPECT_NEAR(m.true_length - m.missing, m.drawn_length - m.extra, 1e-6) << "the common part";
     EXPECT_NEAR(line_metrics(p.truth, p.other_drawn).symmetric(), 0, 1e-9);
 
     const LineMetrics exchanged = line_metrics(p.other_truth, p.other_drawn, {2000, 1});
@@ -196,7 +197,7 @@ TEST(LineMetricsLaws, Hold) {
     const LineMetrics again = line_metrics(mixed.truth, mixed.drawn, {2000, 1});
     EXPECT_EQ(again.missing, m.missing);
     EXPECT_EQ(again.wrong_visibility.wrong, m.wrong_visibility.wrong);
-    // The rate is what the lengths say, but for what is near an end.
+    // The rate equals the lengths, except near ends.
     EXPECT_NEAR(
         m.wrong_visibility.rate,
         m.symmetric() /
@@ -225,7 +226,7 @@ TEST(LineDifferenceLaws, StretchesAddUp) {
     EXPECT_GT(length_of(segment), 5);
 }
 
-TEST(NearestSegment, IsWhatLookingAtAllFinds) {
+TEST(NearestSegment, EqualsALinearSearch) {
   std::mt19937 random(5);
   const auto number = [&](double low, double high) {
     return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);

@@ -1,4 +1,4 @@
-// Edges of a scene, and images of line pictures merged and measured, against values worked out by hand.
+// Edges of a scene, and images of line pictures merged and measured, compared with values computed by hand.
 #include "host/picture/line_picture.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ using scene::PolyScene;
 
 constexpr Int128 big = Int128{1} << 99;
 
-TEST(LinePicture, EdgesAreNamedOnceWhateverFacesShareThem) {
+TEST(LinePicture, EdgesAreNamedOnceForAllTheirFaces) {
   PolyScene scene;
   scene.vertices.resize(6);
   scene.bodies = {{"", false, {{{0, 1, 2}, {}}, {{2, 1, 3}, {}}}}, {"", true, {{{3, 5, 4}, {{1, 0, 0}}}}}};
@@ -34,7 +34,7 @@ TEST(ImageRatio, OrderIsExactAtAHundredBits) {
   EXPECT_EQ(compare({1, 0}, {1, 0}), 0);
 }
 
-// Looked at along z from the origin. Vertices 0-1 and 2-3 lie on one image line, 4-5 on another.
+// Seen along z from the origin. Vertices 0-1 and 2-3 are on one image line, 4-5 on another.
 PolyScene two_lines() {
   PolyScene scene;
   scene.vertices = {{-10, 5, 10}, {10, 5, 10}, {0, 10, 20}, {40, 10, 20}, {3, -1, 1}, {3, 1, 1}};
@@ -66,7 +66,7 @@ TEST(ImageSet, IsTheSameForTheSamePointsOfOtherEdges) {
   EXPECT_NE(image_set(two, scene, scene.camera), image_set(one, scene, scene.camera));
 }
 
-TEST(ImageSet, APieceThatEndsBesideTheEyeRunsToInfinity) {
+TEST(ImageSet, APieceThatEndsInThePlaneOfTheEyeRunsToInfinity) {
   PolyScene scene;
   scene.vertices = {{1, 2, 0}, {1, 2, 4}};
   const ImageSet set = image_set({{{{0, 1}, {0}, {1}}}}, scene, scene.camera);
@@ -75,13 +75,13 @@ TEST(ImageSet, APieceThatEndsBesideTheEyeRunsToInfinity) {
   EXPECT_EQ(set.segments[0].high, (ImageRatio{1, 0}));
 }
 
-TEST(ImageSet, ALineSeenAsAPointIsLeftOut) {
+TEST(ImageSet, ALineSeenEndOnIsOmitted) {
   PolyScene scene;
   scene.vertices = {{1, 2, 3}, {2, 4, 6}};
   EXPECT_TRUE(image_set({{{{0, 1}, {0}, {1}}}}, scene, scene.camera).segments.empty());
 }
 
-TEST(ImageLength, IsInTheImagePlaneAtUnitFocalLengthWhateverTheLengthOfTheVectors) {
+TEST(ImageLength, IsInTheImagePlaneAtUnitFocalLengthForVectorsOfAnyLength) {
   PolyScene scene = two_lines();
   scene.camera.forward = {0, 0, 7};
   scene.camera.right = {3, 0, 0};

@@ -1,4 +1,5 @@
-// Each stretch of the image once: compared with the exact set of points drawn (image_set), which is worked out with fractions.
+// Each stretch of the image is drawn once: compared with the exact set of drawn points (image_set), which is computed with
+// fractions.
 #include "host/picture/line_union.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +38,7 @@ double length_of(const UnitedLine& line) {
   return std::hypot(line.to[0] / line.to[2] - line.from[0] / line.from[2], line.to[1] / line.to[2] - line.from[1] / line.from[2]);
 }
 
-// Of each segment, along its line.
+// The ends of each segment, along its line.
 std::vector<std::array<double, 2>> ends_of(const ImageSet& set) {
   std::vector<std::array<double, 2>> ends;
   for (const ImageSegment& segment : set.segments) {
@@ -66,7 +67,7 @@ TEST(LineUnion, VisibleLinesAreTheSetOfPointsDrawn) {
     const ImageSet set = image_set(layer.picture, scene, camera);
     ASSERT_EQ(lines.lines.size(), set.segments.size()) << "case " << n;
     coinciding += layer.picture.pieces.size() - set.segments.size();
-    // The same ends, by the longer of the coordinates that image_set has: right, or up where right is constant.
+    // The same ends, in the longer of the coordinates that image_set has: right, or up where right is constant.
     const double forward = camera.perspective ? size_of(camera.forward) : 1;
     const double right = size_of(camera.right) / forward;
     const double up = size_of(camera.up) / forward;
@@ -78,7 +79,7 @@ TEST(LineUnion, VisibleLinesAreTheSetOfPointsDrawn) {
       ends.push_back({std::min(a[axis], b[axis]), std::max(a[axis], b[axis])});
     }
     const auto expected = ends_of(set);
-    // One for one; sorting would depend on the last bit.
+    // Matched one to one; sorting would depend on the last bit.
     for (const std::array<double, 2>& wanted : expected) {
       const auto found = std::find_if(ends.begin(), ends.end(), [&wanted](const std::array<double, 2>& e) {
         return std::abs(e[0] - wanted[0]) < 1e-9 * (1 + std::abs(wanted[0])) &&
@@ -88,11 +89,11 @@ TEST(LineUnion, VisibleLinesAreTheSetOfPointsDrawn) {
       ends.erase(found);
     }
   }
-  EXPECT_GT(coinciding, 500U) << "the cases are to have lines that coincide";
+  EXPECT_GT(coinciding, 500U) << "the cases must have coincident lines";
 }
 
-// Visible before hidden, the first layer before others, nothing twice, no point.
-TEST(LineUnion, NoStretchIsDrawnTwiceAndNoDashLiesOnALine) {
+// Visible before hidden, the first layer before others, nothing twice, no points.
+TEST(LineUnion, NoStretchIsDrawnTwiceAndNoDashOverlapsALine) {
   Dice dice(6);
   const scene::SceneFrame frame = scene::frame_of(scene::PolyCamera{});
   std::size_t dashes = 0;
@@ -103,7 +104,7 @@ TEST(LineUnion, NoStretchIsDrawnTwiceAndNoDashLiesOnALine) {
     const scene::PolyCamera camera = scene::camera_outside(frame, scene, direction, n % 2 == 0);
     if (scene::eye_error(scene, camera)) continue;
     const LinePicture seen = algorithms::exact::visible_edges(scene, camera);
-    // Visible pieces in two layers, by turns.
+    // Visible pieces alternate between two layers.
     std::array<LineLayer, 3> layers{LineLayer{"one", {}}, LineLayer{"two", {}},
                                     hidden_layer(hidden_pieces(wire_frame(scene), seen))};
     for (std::size_t i = 0; i < seen.pieces.size(); ++i) layers[i % 2].picture.pieces.push_back(seen.pieces[i]);
@@ -132,7 +133,7 @@ TEST(LineUnion, NoStretchIsDrawnTwiceAndNoDashLiesOnALine) {
         ASSERT_LT(common, 1e-9 * (1 + length_of(a))) << "case " << n;
       }
     }
-    // All that is visible is in a visible layer: hidden lines take nothing away.
+    // Everything visible is in a visible layer: hidden lines remove nothing.
     const LineLayer visible{"visible", seen};
     double expected = 0;
     for (const UnitedLine& line : united_lines({&visible, 1}, scene, camera).lines) expected += length_of(line);
@@ -143,7 +144,7 @@ TEST(LineUnion, NoStretchIsDrawnTwiceAndNoDashLiesOnALine) {
   EXPECT_GT(dashes, 500U);
 }
 
-// From between the boxes: each edge is drawn where it is before the eye and in the window, worked out here edge by edge.
+// From between the boxes: each edge is drawn where it is in front of the eye and in the window, computed here edge by edge.
 TEST(LineUnion, NoLineIsLostAroundTheEye) {
   Dice dice(7);
   std::size_t samples = 0;
@@ -169,14 +170,14 @@ TEST(LineUnion, NoLineIsLostAroundTheEye) {
     for (const LinePiece& piece : layer.picture.pieces) {
       const scene::PolyPoint& a = scene.vertices[piece.edge.from];
       const scene::PolyPoint& b = scene.vertices[piece.edge.to];
-      // An edge seen as a point is no line.
+      // An edge seen end-on is omitted.
       const std::array<double, 3> u{double(a[0] - camera.eye[0]), double(a[1] - camera.eye[1]), double(a[2] - camera.eye[2])};
       const std::array<double, 3> v{double(b[0] - camera.eye[0]), double(b[1] - camera.eye[1]), double(b[2] - camera.eye[2])};
       if (u[0] * v[1] == u[1] * v[0] && u[1] * v[2] == u[2] * v[1] && u[2] * v[0] == u[0] * v[2]) continue;
       for (int i = 0; i <= 64; ++i) {
         std::array<double, 3> p{};
         for (std::size_t k = 0; k < 3; ++k) p[k] = u[k] + (v[k] - u[k]) * i / 64;
-        // What only touches the border of the window is a point.
+        // A line that only touches the border of the window is a point.
         if (p[2] <= 0 || std::abs(p[0]) >= p[2] || std::abs(p[1]) >= p[2]) continue;
         ++samples;
         ASSERT_LT(distance_to_strokes(p[0] / p[2], p[1] / p[2]), 1e-7) << "case " << n;
@@ -187,8 +188,9 @@ TEST(LineUnion, NoLineIsLostAroundTheEye) {
 }
 
 // Two boxes of the same height side by side, seen from the front: their common edge is one line of two edges, and the top of both
-// is one line. By hand.
-TEST(LineUnion, EdgesThatCoincideAreNamedTogether) {
+// is one
+// line. Computed by hand.
+TEST(LineUnion, CoincidentEdgesAreNamedTogether) {
   scene::PolyBuilder builder;
   builder.add_box("left", {0, 0, 0}, {4, 2, 2});
   builder.add_box("right", {4, 0, 0}, {6, 2, 2});

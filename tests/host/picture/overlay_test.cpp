@@ -1,4 +1,4 @@
-// Overlays: colours where they belong, a legend that is there, and writing that is the same everywhere.
+// Overlays: the colours of the cases, a legend, and text that is the same on all platforms.
 #include "host/picture/overlay.hpp"
 
 #include <gtest/gtest.h>

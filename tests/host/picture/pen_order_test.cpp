@@ -1,4 +1,4 @@
-// The way of a pen: the same lines are drawn, in an order that is compared with a plain one.
+// Pen order: the same lines are drawn, in an order compared with that of a simple algorithm.
 #include "host/picture/pen_order.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ VectorDrawing random_lines(std::uint32_t seed, int count) {
 
 using Segment = std::pair<std::pair<float, float>, std::pair<float, float>>;
 
-// Every straight line with how often it is there, in one direction.
+// The number of times that every straight segment occurs, in either direction.
 std::map<Segment, int> segments_of(const VectorDrawing& drawing) {
   std::map<Segment, int> segments;
   for (const DrawingLine& line : drawing.lines) {
@@ -56,7 +56,7 @@ std::map<Segment, int> segments_of(const VectorDrawing& drawing) {
   return segments;
 }
 
-// Nearest next with both ends, then every turn of a part that shortens the way, until there is none: O(n^2) each.
+// Nearest next with both ends, then every reversal of a part that shortens the way, until there is none: O(n^2) each.
 double plain_way(const VectorDrawing& drawing) {
   struct Line {
     DrawingPoint from, to;
@@ -105,7 +105,7 @@ double plain_way(const VectorDrawing& drawing) {
   return way;
 }
 
-TEST(PenOrder, IsNearlyAsShortAsAPlainGreedyTourWithEveryTurn) {
+TEST(PenOrder, IsNearlyAsShortAsASimpleGreedyTourWithReversals) {
   for (const int count : {30, 100, 400}) {
     for (std::uint32_t seed = 1; seed <= 4; ++seed) {
       const VectorDrawing drawing = random_lines(seed, count);
@@ -116,7 +116,7 @@ TEST(PenOrder, IsNearlyAsShortAsAPlainGreedyTourWithEveryTurn) {
   }
 }
 
-TEST(PenOrder, EveryLineIsDrawnOnceHoweverMany) {
+TEST(PenOrder, EveryLineIsDrawnOnceForAnyNumber) {
   const VectorDrawing drawing = random_lines(9, 20'000);
   const VectorDrawing ordered = in_pen_order(drawing, whole_sheet, {.join = 0});
   EXPECT_EQ(segments_of(ordered), segments_of(drawing));
@@ -129,7 +129,7 @@ TEST(PenOrder, LinesThatMeetAreJoinedTheStraightestFirst) {
   add_line(drawing, {{100, 100}, {120, 100}});
   add_line(drawing, {{100, 100}, {100, 120}});
   add_line(drawing, {{80, 100}, {100, 100}});
-  add_line(drawing, {{100, 80}, {100, 100.0005F}});  // nearly there
+  add_line(drawing, {{100, 80}, {100, 100.0005F}});  // almost there
   add_line(drawing, {{10, 10}, {20, 10}});
   add_line(drawing, {{15, 20}, {20, 10}});
   add_line(drawing, {{15, 20}, {10, 10}});
@@ -137,11 +137,11 @@ TEST(PenOrder, LinesThatMeetAreJoinedTheStraightestFirst) {
   ASSERT_EQ(ordered.lines.size(), 3U);
   EXPECT_EQ(ordered.lines[0].count, 4U);  // the triangle, closed
   EXPECT_EQ(ordered.points[ordered.lines[0].first], ordered.points[ordered.lines[0].first + 3]);
-  EXPECT_EQ(ordered.lines[1].count, 2U);  // the arms, without the corner between them
+  EXPECT_EQ(ordered.lines[1].count, 2U);  // two arms, without the corner between them
   EXPECT_EQ(ordered.lines[2].count, 2U);
 }
 
-TEST(PenOrder, ShortGapsAreDrawnOnlyWhenAskedAndNeverThoseOfDashes) {
+TEST(PenOrder, ShortGapsAreDrawnOnlyOnRequestAndNeverThoseOfDashes) {
   VectorDrawing drawing = sheet();
   drawing.layers.push_back({"hidden", {150, 150, 150}, 2});
   for (std::uint32_t layer = 0; layer < 2; ++layer)
@@ -154,7 +154,7 @@ TEST(PenOrder, ShortGapsAreDrawnOnlyWhenAskedAndNeverThoseOfDashes) {
   EXPECT_EQ(in_pen_order(drawing, whole_sheet, {.min_gap = 0.4}).lines.size(), 10U);
 }
 
-TEST(PenOrder, CornersThatAreNoneGoAndRoundLinesStay) {
+TEST(PenOrder, FlatCornersAreRemovedAndRoundLinesStay) {
   VectorDrawing drawing = sheet();
   add_line(drawing, {{0, 0}, {10, 10}, {20, 20}, {30, 30.0005F}, {40, 40}});
   std::vector<DrawingPoint> circle;
@@ -184,7 +184,7 @@ TEST(PenOrder, DotsLayersAndEmptyDrawings) {
   EXPECT_NEAR(travel.up, std::sqrt(2) * (5 + 95 + 95), 1e-9);
 }
 
-// 100 mm at 100 mm/s with 100 mm/s2: a second and a second of ramps; 1 mm never gets that fast.
+// 100 mm at 100 mm/s with 100 mm/s2: one second and one second of ramps; 1 mm never reaches that speed.
 TEST(PenOrder, TimeIsThatOfATrapezoid) {
   VectorDrawing drawing = sheet();
   add_line(drawing, {{0, 0}, {100, 0}, {100, 1}});

@@ -1,5 +1,4 @@
-// Laws of the P7 photograph. They hold for any parameters; numbers are worked out from the decay law, not
-// from runs.
+// Laws of the P7 photograph. They hold for any parameters; the expected numbers are computed from the decay law.
 #include "host/picture/phosphor.hpp"
 
 #include <gtest/gtest.h>
@@ -57,7 +56,7 @@ TEST(SpotProfile, KeepsTheEnergyAndIsSymmetric) {
       auto mirrored = profile.weights;
       std::reverse(mirrored.begin(), mirrored.end());
       for (std::size_t i = 0; i < mirrored.size(); ++i) EXPECT_NEAR(profile.weights[i], mirrored[i], 1e-15);
-      // First pixel and last pixel lie equally far from the point's middle.
+      // The first and the last pixel are equally far from the point's middle.
       EXPECT_EQ(2 * profile.first + static_cast<int>(profile.weights.size()) - 1, pixels_per_point - 1);
     }
   }
@@ -72,8 +71,8 @@ TEST(SpotProfile, IsTheIntegralOfAGaussian) {
   }
 }
 
-TEST(Phosphor, EnergyOfAFlashArrivesOnTheFilm) {
-  // A shutter open for an hour takes nearly all light of both layers: 1 flash, split as the parameters say.
+TEST(Phosphor, TheEnergyOfAFlashReachesTheFilm) {
+  // A shutter open for an hour takes nearly all light of both layers: 1 flash, divided as the parameters say.
   for (const int pixels_per_point : {1, 2}) {
     PhosphorParameters parameters;
     parameters.pixels_per_point = pixels_per_point;
@@ -84,7 +83,7 @@ TEST(Phosphor, EnergyOfAFlashArrivesOnTheFilm) {
   }
 }
 
-TEST(Phosphor, LightLiesAroundItsPoint) {
+TEST(Phosphor, LightIsAroundItsPoint) {
   for (const int pixels_per_point : {1, 2}) {
     PhosphorParameters parameters;
     parameters.pixels_per_point = pixels_per_point;
@@ -101,7 +100,7 @@ TEST(Phosphor, LightLiesAroundItsPoint) {
       }
     }
     const double middle = parameters.margin_points + 0.5;
-    // The halo is kept on cells of 4 points: its 3 % may lie up to 1.5 points off.
+    // The halo is computed on cells of 4 points: its 3 % may be up to 1.5 points off.
     EXPECT_NEAR(across / total(light.blue) / pixels_per_point, middle + 100, 0.05);
     EXPECT_NEAR(down / total(light.blue) / pixels_per_point, middle + 1023 - 900, 0.05);
   }
@@ -116,7 +115,7 @@ TEST(Phosphor, TheOrderOfStrokesDoesNotMatter) {
   EXPECT_TRUE(photograph(strokes, 5 * millisecond, 50 * millisecond).develop() == in_order);
 }
 
-TEST(Phosphor, LightAddsUpBeforeTheFilmAnswers) {
+TEST(Phosphor, LightAddsUpBeforeTheFilmResponds) {
   NEEDS_OPTIMISED_CODE();
   const std::vector<core::Stroke> one{flash(0, 300, 300, 7), flash(1000, 301, 300, 7)};
   const std::vector<core::Stroke> two{flash(5000, 301, 301, 2), flash(9000, 300, 300, 7)};
@@ -169,7 +168,7 @@ TEST(Phosphor, HigherIntensityIsBrighter) {
   }
 }
 
-TEST(Phosphor, NothingIsSeenOfStrokesAfterTheShutterClosed) {
+TEST(Phosphor, StrokesAfterTheShutterClosedAreInvisible) {
   const auto dark = photograph({}, 0, millisecond).develop();
   const auto late =
       photograph({flash(millisecond, 5, 5, 7), flash(2 * millisecond, 6, 6, 7)}, 0, millisecond);

@@ -1,4 +1,4 @@
-// Pixel mismatch: cases counted by hand, and the laws of pixel_metrics.hpp.
+// Pixel mismatch: cases computed by hand, and the laws of pixel_metrics.hpp.
 #include "host/picture/pixel_metrics.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ TEST(PixelMetrics, CountsBoundaryAndInteriorApart) {
   truth.set(3, 1, 5);
   drawn.set(3, 1, 6);  // another face, on the edge
   truth.set(4, 2, 5);
-  drawn.set(4, 2, 5);  // the same
+  drawn.set(4, 2, 5);  // equal
   // From (0, 1) to (7, 1): row 1 is its boundary, rows 0 and 2 are a pixel away.
   const PixelMetrics m = pixel_metrics(truth, drawn, {{{0, 1}, {7, 1}}});
   EXPECT_EQ(m.pixels, 32U);
@@ -67,7 +67,7 @@ TEST(PixelMetricsLaws, Hold) {
     EXPECT_EQ(exchanged.extra_far, m.missing_far);
     EXPECT_GT(m.different(), 0U);
     EXPECT_EQ(pixel_metrics(a, a, edges).different(), 0U);
-    EXPECT_EQ(pixel_metrics(a, b, {}).different_inside, m.different()) << "no edges: all is interior";
+    EXPECT_EQ(pixel_metrics(a, b, {}).different_inside, m.different()) << "no edges: everything is interior";
   }
 }
 

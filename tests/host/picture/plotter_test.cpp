@@ -1,5 +1,6 @@
-// HP-GL of drawings, read back by an interpreter of its own: the lines are where the paper has them, and no point is
-// beyond the limits of the plotter.
+// HP-GL of drawings, read back by an independent interpreter: the lines are at their positions on the paper, and no point is
+// beyond the
+// limits of the plotter.
 #include "host/picture/plotter.hpp"
 
 #include <gtest/gtest.h>
@@ -75,7 +76,7 @@ VectorDrawing drawing_for(const Paper& paper, std::uint32_t layers) {
   return drawing;
 }
 
-TEST(Plotters, LinesAreWhereThePaperHasThem) {
+TEST(Plotters, LinesAreAtTheirPositionOnThePaper) {
   const Paper paper{120, 80, 10, 0.2};
   const VectorDrawing drawing = drawing_for(paper, 2);
   for (const bool relative : {false, true}) {
@@ -95,7 +96,7 @@ TEST(Plotters, LinesAreWhereThePaperHasThem) {
   }
 }
 
-TEST(Plotters, NothingIsBeyondTheLimits) {
+TEST(Plotters, NoPointIsBeyondTheLimits) {
   struct Sheet {
     double width, height;
     long most_x, most_y;
@@ -121,14 +122,14 @@ TEST(Plotters, NothingIsBeyondTheLimits) {
         farthest_y = std::max(farthest_y, y);
       }
     }
-    // All of it is used: one of the two limits is reached.
+    // The whole area is used: one of the two limits is reached.
     EXPECT_TRUE(farthest_x >= sheet.most_x - 1 || farthest_y >= sheet.most_y - 1);
   }
   EXPECT_FALSE(least_margin(*find_plotter("hp7475a"), {200, 200, 10, 0.2}));
 }
 
-// Of the manuals: A4 has 11040 by 7721 units of 0.025 mm.
-TEST(Plotters, WhereAPlotterCanDraw) {
+// From the manuals: A4 has 11040 by 7721 units of 0.025 mm.
+TEST(Plotters, PlottingAreas) {
   const Plotter& plotter = *find_plotter("hp7475a");
   const auto lying = plotting_area(plotter, {297, 210, 0, 0.2});
   ASSERT_TRUE(lying);
@@ -145,13 +146,13 @@ TEST(Plotters, WhereAPlotterCanDraw) {
   EXPECT_DOUBLE_EQ((*drum)[1], 279.4);
 }
 
-TEST(Plotters, TheirOwnPaper) {
+TEST(Plotters, DefaultPaper) {
   for (const char* name : {"hp7475a", "hp7550a"}) EXPECT_EQ(find_plotter(name)->papers.front().paper, "A4");
   EXPECT_DOUBLE_EQ(find_plotter("calcomp")->papers.front().width, 279.4);
   EXPECT_DOUBLE_EQ(find_plotter("calcomp")->papers.front().height, 279.4);
 }
 
-// One millimetre is 40 units on both axes, and a part of the scale is never lost to the paper's margins.
+// One millimetre is 40 units on both axes; the margins do not change the scale.
 TEST(Plotters, AMillimetreIsFortyUnitsOnEveryPaper) {
   for (const char* name : {"hp7475a", "hp7550a"}) {
     for (const PlotterPaperLimits& sheet : find_plotter(name)->papers) {
@@ -177,7 +178,8 @@ TEST(Plotters, APointIsWrittenOnce) {
   VectorDrawing drawing;
   drawing.width = drawing.height = 100;
   drawing.layers = {{"visible", {}}};
-  // The second and the fourth are less than half a unit from those before them; the second line is no line, the third a dot.
+  // The second and the fourth are less than half a unit from the points before them; the second line is omitted, the third is a
+  // dot.
   drawing.points = {{1, 1}, {1.01F, 1}, {2, 1}, {2, 1.01F}, {2, 3}, {5, 5}, {5, 5.001F}};
   drawing.lines = {{0, 0, 5}, {0, 5, 2}, {0, 5, 1}};
   const Paper paper{100, 100, 0, 0.2};

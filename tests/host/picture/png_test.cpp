@@ -1,4 +1,4 @@
-// PNG round trip, refusal of damaged files, and files that are written completely or not at all.
+// PNG round trip, errors for damaged files, and files that are written completely or not at all.
 #include "host/picture/png.hpp"
 
 #include <gtest/gtest.h>
@@ -32,19 +32,19 @@ std::string refusal(const base::Bytes& bytes) {
   return file ? "accepted" : file.error().message();
 }
 
-// ISO/IEC 15948, 11.3.5.3: pixels a metre across and up, each in four bytes, and 1 for the metre.
-TEST(Png, SaysHowLargeItIsOnPaper) {
+// ISO/IEC 15948, 11.3.5.3: pixels per metre across and up, each in four bytes, and 1 for the metre.
+TEST(Png, StatesItsSizeOnPaper) {
   const auto sheet = encode_png(noise(4, 3, 1), {}, 150 / 25.4);
   ASSERT_TRUE(sheet);
   const std::string bytes(sheet->begin(), sheet->end());
   const std::size_t at = bytes.find("pHYs");
   ASSERT_NE(at, std::string::npos);
-  EXPECT_EQ(bytes.substr(at + 4, 9), std::string("\0\0\x17\x12\0\0\x17\x12\1", 9)) << "5,906 pixels a metre";
+  EXPECT_EQ(bytes.substr(at + 4, 9), std::string("\0\0\x17\x12\0\0\x17\x12\1", 9)) << "5,906 pixels per metre";
   const base::Bytes plain = encoded(noise(4, 3, 1));
   EXPECT_EQ(std::string(plain.begin(), plain.end()).find("pHYs"), std::string::npos);
 }
 
-// A directory of its own for each test in the build tree, removed afterwards.
+// A separate directory for each test in the build tree, removed afterwards.
 class FileTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -75,7 +75,7 @@ TEST(Png, RoundTrip) {
   }
 }
 
-TEST(Png, TextEntriesComeBackAndNoTimeIsWritten) {
+TEST(Png, TextEntriesAreReadBackAndNoTimeIsWritten) {
   const TextEntries text{{"Title", "roberts"}, {"Comment", "two\nlines"}, {"Empty", ""}};
   const base::Bytes bytes = encoded(noise(4, 4, 1), text);
   const auto file = decode_png(bytes, "noise");
@@ -85,7 +85,7 @@ TEST(Png, TextEntriesComeBackAndNoTimeIsWritten) {
   EXPECT_EQ(bytes, encoded(noise(4, 4, 1), text));
 }
 
-TEST(Png, RefusesWhatCannotBeWritten) {
+TEST(Png, RejectsImagesThatCannotBeWritten) {
   EXPECT_FALSE(encode_png(Image()));
   EXPECT_FALSE(encode_png(Image(2, 2, 2)));
   EXPECT_FALSE(encode_png(Image(png_size_limit + 1, 1, 1)));
@@ -96,7 +96,7 @@ TEST(Png, RefusesWhatCannotBeWritten) {
   EXPECT_FALSE(encode_png(Image(1, 1, 1), {{std::string(80, 'k'), "text"}}));
 }
 
-TEST(Png, EveryTruncationIsRefused) {
+TEST(Png, EveryTruncationIsAnError) {
   const base::Bytes bytes = encoded(noise(9, 7, 3), {{"Title", "x"}});
   for (std::size_t length = 0; length < bytes.size(); ++length) {
     EXPECT_NE(refusal(base::Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length))),
@@ -105,9 +105,10 @@ TEST(Png, EveryTruncationIsRefused) {
   }
 }
 
-TEST(Png, EveryDamagedBitIsRefused) {
-  // Every bit of a PNG file is under a check sum, the signature or the walk of the chunks, except the check
-  // sums of chunks libpng does not look at: the text entry's own, which is why there is none here.
+TEST(Png, EveryDamagedBitIsAnError) {
+  // Every bit of a PNG file is covered by a checksum, by the signature or by the structure of the chunks, except the checksums of
+  // chunks
+  // that libpng does not read: the text entry's, which is why this file has none.
   const base::Bytes bytes = encoded(noise(9, 7, 1));
   for (std::size_t i = 0; i < bytes.size() * 8; ++i) {
     base::Bytes damaged = bytes;
@@ -115,12 +116,12 @@ TEST(Png, EveryDamagedBitIsRefused) {
     const auto file = decode_png(damaged, "x.png");
     if (file) {
       EXPECT_TRUE(file->image == noise(9, 7, 1)) << "byte " << i / 8 << " bit " << i % 8;
-      EXPECT_GE(i / 8, bytes.size() - 12) << "only the end chunk may go unread";
+      EXPECT_GE(i / 8, bytes.size() - 12) << "only the end chunk may stay unread";
     }
   }
 }
 
-TEST(Png, SaysWhatIsWrong) {
+TEST(Png, ReportsErrors) {
   EXPECT_EQ(refusal({}), "x.png: byte 0: no PNG signature, expected a PNG file");
   base::Bytes bytes = encoded(noise(2, 2, 1));
   bytes.push_back(0);

@@ -1,4 +1,4 @@
-// Differences of two sets of lit points: small ones by hand, random ones against every pair of points, and the laws of
+// Differences of two sets of lit points: small ones by hand, random ones compared with a search over all pairs, and the laws of
 // raster_difference.hpp.
 #include "host/picture/raster_difference.hpp"
 
@@ -21,9 +21,9 @@ TEST(RasterDifference, OfALineAndOneShiftedAndShortened) {
   PixelGrid truth(16, 8);
   PixelGrid drawn(16, 8);
   for (int x = 2; x <= 11; ++x) truth.set(x, 3, 1);
-  for (int x = 2; x <= 7; ++x) drawn.set(x, 3, 7);  // lit is lit: 8, 9, 10, 11 are missing
+  for (int x = 2; x <= 7; ++x) drawn.set(x, 3, 7);  // any value is lit: 8, 9, 10, 11 are missing
   drawn.set(5, 4, 1);                               // above a point of the line
-  drawn.set(1, 4, 1);                               // diagonally before its beginning
+  drawn.set(1, 4, 1);                               // diagonally in front of its beginning
   drawn.set(4, 6, 1);                               // 3 above it
   const RasterDifference d = raster_difference(truth, drawn);
   EXPECT_EQ(d.lit_in_truth, 10U);
@@ -72,7 +72,7 @@ TEST(RasterDifference, OneMovedPointOfAScreenfulIsFound) {
   EXPECT_DOUBLE_EQ(d.hausdorff.usual, 0) << "one of two thousand";
 }
 
-TEST(RasterDifference, OfNothing) {
+TEST(RasterDifference, OfEmptyPictures) {
   PixelGrid something(5, 4);
   something.set(0, 0, 1);
   something.set(4, 3, 1);
@@ -87,7 +87,7 @@ TEST(RasterDifference, OfNothing) {
   EXPECT_EQ(raster_difference(nothing, nothing).hausdorff.greatest, 0);
 }
 
-// Every pair of points.
+// A search over all pairs of points.
 struct ByPairs {
   DifferingPoints apart;
   std::vector<double> distances;  // ascending
@@ -111,7 +111,7 @@ ByPairs by_pairs(const PixelGrid& from, const PixelGrid& to) {
   return found;
 }
 
-TEST(RasterDifferenceLaws, AsEveryPairOfPointsSays) {
+TEST(RasterDifferenceLaws, EqualASearchOverAllPairs) {
   std::mt19937 random(5);
   for (int n = 0; n < 60; ++n) {
     const int width = 1 + static_cast<int>(random() % 24);
@@ -141,8 +141,8 @@ TEST(RasterDifferenceLaws, AsEveryPairOfPointsSays) {
   }
 }
 
-TEST(RasterDifference, UsualIsExceededByOnePointInAThousand) {
-  // 2,000 points of the truth; the drawing lacks four, which are 1, 2, 3 and 4 away from it.
+TEST(RasterDifference, TheUsualDistanceIsExceededByOnePointInAThousand) {
+  // 2,000 points of the reference; the drawing lacks four, which are 1, 2, 3 and 4 away from it.
   PixelGrid truth(2000, 1);
   for (int x = 0; x < 2000; ++x) truth.set(x, 0, 1);
   PixelGrid drawn = truth;

@@ -1,4 +1,4 @@
-// Step files of the CalComp 565, sent to the emulated plotter: what it draws is the drawing, within a step.
+// Step files of the CalComp 565, sent to the emulated plotter, which must draw the drawing within a step.
 #include "host/picture/step_file.hpp"
 
 #include <gtest/gtest.h>
@@ -73,7 +73,7 @@ TEST(StepFile, ThePlotterDrawsTheDrawingWithinAStep) {
   EXPECT_EQ(back.counts.off_carriage + back.counts.off_paper + back.counts.unknown_codes + back.counts.commands_while_busy, 0U);
   EXPECT_EQ(back.counts.pen_lifts, 12U);
   EXPECT_TRUE(back.ended_up);
-  // Every step is near a line, and every place of a line near a step.
+  // Every step is near a line, and every point of a line is near a step.
   for (const auto& p : back.points) {
     double nearest = 1e9;
     for (const DrawingLine& line : drawing.lines)
@@ -103,7 +103,7 @@ TEST(StepFile, EveryDirection) {
   VectorDrawing drawing;
   drawing.width = drawing.height = 254;  // a unit is a millimetre
   drawing.layers = {{"", {}}};
-  // Around a point, 3 steps each way.
+  // Around a point, 3 steps in each direction.
   const Paper paper{254, 279.4, 0, 0.2};
   drawing.height = 279.4;
   for (int i = 0; i < 8; ++i) {

@@ -1,5 +1,6 @@
-// The SVG drawing: read back by a small parser of its own, it must be well-formed XML, cover exactly the
-// points that were lit, and put them where the tube has them.
+// The SVG drawing: read back by a small independent parser it must be well-formed XML, cover exactly the lit points, and place
+// them as
+// on the tube.
 #include "host/picture/stroke_drawing.hpp"
 
 #include <gtest/gtest.h>
@@ -23,10 +24,10 @@ struct Element {
   std::string name;
   std::map<std::string, std::string> attributes;
   std::string parent;
-  std::string layer;  // inkscape:label of the group it stands in
+  std::string layer;  // inkscape:label of its group
 };
 
-// Elements of an XML text without entities in attributes, comments or CDATA; any fault fails the test.
+// Elements of an XML text without entities in attributes, comments or CDATA; any error fails the test.
 std::vector<Element> parse_xml(const std::string& text) {
   std::vector<Element> elements;
   std::vector<Element> open;
@@ -76,7 +77,7 @@ std::vector<Element> parse_xml(const std::string& text) {
   return elements;
 }
 
-// Lattice points on the polylines of each layer; positions must lie within 0.1 um of a point's middle.
+// Lattice points on the polylines of each layer; positions must be within 0.1 um of a point's middle.
 std::map<std::string, Points> covered_points(const std::string& svg) {
   std::map<std::string, Points> covered;
   for (const Element& element : parse_xml(svg)) {
@@ -154,8 +155,8 @@ TEST(JoinStrokes, TurningBackKeepsTheTurningPoint) {
   EXPECT_EQ(lines[0].corners, (std::vector<LatticePoint>{{5, 5}, {7, 5}, {5, 5}}));
 }
 
-TEST(JoinStrokes, GapsAndIntensitiesPart) {
-  // Two points apart is a dark gap (scale 1); the edge of the screen is no neighbour of the other edge.
+TEST(JoinStrokes, GapsAndIntensitiesSeparateLines) {
+  // Two points apart is a dark gap (scale 1); points at opposite edges of the screen are not adjacent.
   const auto lines = join_strokes(strokes_at({{0, 5, 7}, {2, 5, 7}, {3, 5, 6}, {1023, 5, 6}, {0, 5, 6}}));
   ASSERT_EQ(lines.size(), 5U);
   for (const auto& line : lines) EXPECT_EQ(line.corners.size(), 1U);

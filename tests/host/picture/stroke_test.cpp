@@ -1,4 +1,4 @@
-// Recorders, crisp raster and stroke log on stroke sets small enough to check by hand.
+// Recorders, crisp raster and stroke log for stroke sets small enough to check by hand.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -61,7 +61,7 @@ TEST(PassRecorder, KeepsTheLastCompletePassAndTheRunningOne) {
   EXPECT_EQ(recorder.complete().strokes, std::vector{flash(110, 1, 1)});
   EXPECT_EQ(recorder.running().begin, core::at_nanoseconds(300));
   EXPECT_EQ(recorder.running().strokes.size(), 2U);
-  // Started again before the stop: what was drawn is no complete pass.
+  // Restarted before the stop: the drawing so far is not a complete pass.
   recorder.begin_pass(core::at_nanoseconds(400));
   EXPECT_TRUE(recorder.running().strokes.empty());
   recorder.end_pass(core::at_nanoseconds(500));

@@ -1,4 +1,4 @@
-// The one writer of SVG: its output is compared with lines written by hand.
+// The writer of all SVG: its output is compared with lines written by hand.
 #include "host/picture/svg.hpp"
 
 #include <gtest/gtest.h>
@@ -76,7 +76,7 @@ TEST(SvgWriter, AreasArePolygonsAndPathsOfAnyNumberOfLoops) {
           "  </g>\n</svg>\n");
 }
 
-TEST(SvgWriter, DistancesHaveNoZeroBeforeThePointAndNoNeedlessBlank) {
+TEST(SvgWriter, RelativeCoordinatesHaveNoLeadingZeroAndNoNeedlessBlank) {
   SvgWriter svg(20, 10.5, "a <b> & \"c\" \t", {.needless_zeros = false});
   svg.open_areas("surface", "0 surface", "");
   svg.begin_area({1, 2, 3}, false);
@@ -103,7 +103,7 @@ TEST(SvgWriter, DistancesHaveNoZeroBeforeThePointAndNoNeedlessBlank) {
                 "  </g>\n</svg>\n");
 }
 
-TEST(SvgWriter, PositionsHaveTheDecimalsAndZerosAskedFor) {
+TEST(SvgWriter, PositionsHaveTheRequestedDecimalsAndZeros) {
   EXPECT_EQ(points({}, 0, -1), "0.000,-0.001");
   EXPECT_EQ(points({.decimals = 4}, 2381250, 5), "238.1250,0.0005");
   EXPECT_EQ(points({.needless_zeros = false}, 1500, 100000), "1.5,100");
@@ -111,8 +111,8 @@ TEST(SvgWriter, PositionsHaveTheDecimalsAndZerosAskedFor) {
   EXPECT_EQ(points({}, 9223372036854775, 1), "9223372036854.775,0.001");
 }
 
-// Areas in great numbers are written in hundredths of a millimetre: their corners read back, from distances.
-TEST(SvgWriter, VeryManyAreasAreShortAndInTheirPlaces) {
+// Large numbers of areas are written in hundredths of a millimetre: their corners are read back from relative coordinates.
+TEST(SvgWriter, ManyAreasAreShortAndAtTheirPositions) {
   VectorDrawing drawing;
   drawing.width = drawing.height = 255;
   constexpr std::uint32_t count = 20'001;

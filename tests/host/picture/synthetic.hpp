@@ -1,5 +1,6 @@
-// A drawing made by plain arithmetic, for tests that need strokes but no display: a cube in oblique view,
-// every point 1.5 us after the one before, as Type 340 vectors would light it.
+// A drawing computed arithmetically, for tests that need strokes but no display: a cube in oblique view, every point 1.5 us after
+// the one
+// before, as Type 340 vectors would light it.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace sightline::tests {
 
 inline constexpr std::int64_t point_nanoseconds = 1500;
 
-// Appends the points of a straight line, both ends lit, nearest lattice points; returns the time after it.
+// Appends the nearest lattice points of a straight line, including both ends; returns the time after it.
 inline std::int64_t append_line(std::vector<core::Stroke>& strokes, std::int64_t ns, std::array<int, 2> from,
                                 std::array<int, 2> to, int intensity) {
   const int steps = std::max(std::abs(to[0] - from[0]), std::abs(to[1] - from[1]));
@@ -33,7 +34,7 @@ inline std::int64_t append_line(std::vector<core::Stroke>& strokes, std::int64_t
   return ns;
 }
 
-// One pass of the cube beginning at `ns`.
+// One pass of the cube starting at `ns`.
 inline std::vector<core::Stroke> cube_pass(std::int64_t ns, int intensity) {
   constexpr std::array<std::array<int, 2>, 8> corner{
       {{230, 200}, {630, 200}, {630, 600}, {230, 600}, {420, 420}, {820, 420}, {820, 820}, {420, 820}}};

@@ -1,5 +1,4 @@
-// Accuracy against time: what pictures are compared with, and what the measures give on pictures whose error is
-// known.
+// Accuracy against time: the references of pictures, and the measures on pictures with a known error.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -21,7 +20,7 @@ TEST(ReportClock, EveryRoundDoesEveryJobOnce) {
   std::string done;
   const std::vector<std::function<void()>> jobs{[&] { done += 'a'; }, [&] { done += 'b'; }};
   const auto times = median_nanoseconds(jobs, 3);
-  EXPECT_EQ(done, "abababab") << "three rounds, and one that is not counted";
+  EXPECT_EQ(done, "abababab") << "three rounds after an uncounted one";
   ASSERT_EQ(times.size(), 2U);
   EXPECT_GE(times[0], 0);
 }
@@ -70,7 +69,7 @@ TEST(SurfaceErrors, OneUnitIsFourPixels) {
   const auto above = fine.error_of(line(10, 21, 200, 21), 256);
   EXPECT_NEAR(above.hausdorff, 4, 1e-9);
   EXPECT_NEAR(above.mismatch, 100 * 2 * 191.0 / 65536, 1e-9);
-  EXPECT_EQ(above.far, 0) << "each dot has one of the other picture beside it";
+  EXPECT_EQ(above.far, 0) << "each dot has one of the other picture next to it";
   const auto shorter = fine.error_of(line(10, 20, 180, 20), 256);
   EXPECT_NEAR(shorter.hausdorff, 80, 0.25);
   EXPECT_NEAR(shorter.far, 100 * 19.0 / 65536, 1e-9);
@@ -95,7 +94,7 @@ class JonesAccuracy : public testing::Test {
   static inline std::unique_ptr<SceneViews> house;
 };
 
-// Per cent of the visible length: half with each fraction bit, and about twice as much truncated.
+// Per cent of the visible length: it halves with each fraction bit, and is about twice as large when truncated.
 TEST_F(JonesAccuracy, TheHouseHasItsKnownError) {
   EXPECT_NEAR(measure_twin(*house, fixed(0)).symmetric_per_cent(), 0.23, 0.04);
   EXPECT_NEAR(measure_twin(*house, fixed(1)).symmetric_per_cent(), 0.11, 0.04);
@@ -103,7 +102,7 @@ TEST_F(JonesAccuracy, TheHouseHasItsKnownError) {
   EXPECT_NEAR(measure_twin(*house, fixed(0, true)).symmetric_per_cent(), 0.41, 0.04);
 }
 
-// By another measure of the same pictures: line by line instead of by number of the line.
+// By another measure of the same pictures: by line instead of by line number.
 TEST_F(JonesAccuracy, TheStudyOfArithmeticMeasuresTheSame) {
   const auto scene = house->scene();
   const auto study = compare::jones_precision::PrecisionStudy::of(scene, compare::jones_precision::six_views[0].eyes);
@@ -115,7 +114,7 @@ TEST_F(JonesAccuracy, TheStudyOfArithmeticMeasuresTheSame) {
   }
 }
 
-TEST_F(JonesAccuracy, DoublePrecisionHasNoErrorThatCanBeTold) {
+TEST_F(JonesAccuracy, DoublePrecisionHasNoMeasurableError) {
   const auto error = measure_twin(*house, {compare::jones_precision::NumberKind::double_float});
   EXPECT_LT(error.symmetric_per_cent(), 1e-9);
   EXPECT_LT(error.hausdorff, 1e-9);
@@ -123,7 +122,7 @@ TEST_F(JonesAccuracy, DoublePrecisionHasNoErrorThatCanBeTold) {
   EXPECT_GT(error.wrong_visibility.points, 10'000U);
 }
 
-TEST_F(JonesAccuracy, TheMachineErrsAsItsTwinAndIsFasterWithTheEae) {
+TEST_F(JonesAccuracy, TheMachineHasItsTwinsErrorAndIsFasterWithTheEae) {
   const MachineBuild build = measure_build(*house, fixed(1));
   const PictureError twin = measure_twin(*house, fixed(1));
   EXPECT_DOUBLE_EQ(build.clipped.symmetric_per_cent(), twin.symmetric_per_cent());
@@ -133,7 +132,7 @@ TEST_F(JonesAccuracy, TheMachineErrsAsItsTwinAndIsFasterWithTheEae) {
   EXPECT_LT(build.eae_s, build.plain_s);
 }
 
-TEST_F(JonesAccuracy, AViewThatOverflowsIsIncompleteAndCountsAsItIs) {
+TEST_F(JonesAccuracy, AViewThatOverflowsIsIncompleteAndCounts) {
   const auto error = measure_twin(*house, fixed(4, false, 12));
   EXPECT_EQ(error.incomplete, 6U);
   EXPECT_GT(error.symmetric_per_cent(), 10);

@@ -1,7 +1,9 @@
 #!/bin/sh
-# Opens a report in headless Chromium at 1280 and 390 pixels and prints it. Fails if an element is wider than the page
-# (those in frames that scroll excepted), folded or unfolded, if the page is longer than 40 screens of 1280 x 900 with
-# everything folded, if it is larger than 4 MB, or if it cannot be printed. Says so and ends well without Chromium.
+# Opens a report in headless Chromium at 1280 and 390 pixels and prints it. Fails if an element is wider than the page (except in
+# scrolling
+# frames), folded or unfolded, if the folded page is longer than 40 screens of 1280 x 900, if it is larger than 4 MB, or if it
+# cannot
+# be printed. Succeeds with a message without Chromium.
 #
 #   check_page.sh [PAGE.html]    without a page: builds the report and checks that
 set -eu
@@ -32,8 +34,8 @@ fail() { echo "check page: $*" >&2; failed=1; }
 bytes=$(wc -c < "$page")
 [ "$bytes" -lt "$most_bytes" ] || fail "$bytes bytes, expected fewer than $most_bytes"
 
-# A copy of the page that measures itself: the report has no script of its own.
-# $1: width in pixels, $2: folded, unfolded or print. Gives "HEIGHT" and a line for each element that is too wide.
+# A copy of the page that measures itself: the report has no script.
+# $1: width in pixels, $2: folded, unfolded or print. Prints "HEIGHT" and a line for each element that is too wide.
 measure() {
   {
     cat "$page"
@@ -56,7 +58,7 @@ document.body.replaceChildren(said);
 </script>
 SCRIPT
   } > "$folder/measured.html"
-  # A window is at least 500 pixels wide, so the page is measured in a frame of the width asked for.
+  # A window is at least 500 pixels wide, so the page is measured in a frame of the requested width.
   cat > "$folder/frame.html" <<FRAME
 <body style="margin:0"><iframe id="f" src="measured.html" style="width:$1px;height:900px;border:0"></iframe>
 <script>f.onload = () => { document.body.innerText = f.contentDocument.body.innerText; };</script>
@@ -76,7 +78,7 @@ measure 1280 unfolded
 measure 390 folded
 measure 390 unfolded
 
-# Print: A4 between margins is 718 CSS pixels wide; the rules for print are taken as if for the screen.
+# Print: A4 between margins is 718 CSS pixels wide; the print rules are applied to the screen.
 cp "$page" "$folder/page.html"
 sed 's/@media print/@media all/' "$page" > "$folder/print.html"
 page=$folder/print.html

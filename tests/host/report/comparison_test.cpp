@@ -1,4 +1,4 @@
-// The comparison of all methods: openness by hand, and the place of a crossing.
+// The comparison of all methods: openness computed by hand, and the position of a crossing.
 #include "host/report/experiments/comparison.hpp"
 
 #include <gtest/gtest.h>
@@ -17,8 +17,8 @@ scene::CellScene built_in(const std::string& name) {
   return *std::move(scene);
 }
 
-// Cells of 2 x 2 rooms touch at four sides; those at a corner share a line alone. A corridor of 8 rooms has 7
-// walls with a door each.
+// Cells of 2 x 2 rooms touch along four sides; those at a corner share only a line. A corridor of 8 rooms has 7 walls with a door
+// each.
 TEST(Comparison, WallsAreCountedByHand) {
   EXPECT_EQ(walls_of(scene::generate_open_rooms(2, 5)), 4U);
   EXPECT_EQ(walls_of(scene::generate_open_rooms(2, 0)), 4U);
@@ -31,12 +31,12 @@ TEST(Comparison, WallsAreCountedByHand) {
   EXPECT_EQ(scene.openness(), 1.25);
 }
 
-TEST(Comparison, ACrossingIsWhereTheFirstIsNoLongerLess) {
+TEST(Comparison, ACrossingIsWhereTheFirstIsNoLongerSmaller) {
   const Crossing crossing = crossing_of({{1, 10, 20}, {2, 15, 20}, {3, 25, 20}, {4, 10, 20}});
   EXPECT_EQ(crossing.last, 2);
   EXPECT_EQ(crossing.first, 3);
-  EXPECT_FALSE(crossing_of({{1, 20, 20}, {2, 10, 20}}).last) << "never less from the beginning";
-  EXPECT_FALSE(crossing_of({{1, 10, 20}, {2, 10, 20}}).first) << "less to the end";
+  EXPECT_FALSE(crossing_of({{1, 20, 20}, {2, 10, 20}}).last) << "never smaller";
+  EXPECT_FALSE(crossing_of({{1, 10, 20}, {2, 10, 20}}).first) << "smaller to the end";
 }
 
 }  // namespace

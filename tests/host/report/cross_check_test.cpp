@@ -1,4 +1,4 @@
-// Results of the cross-check: a cell for every pair, failures by name, and every picture there is.
+// Results of the cross-check: a cell for every pair, failures by name, and all pictures.
 #include <gtest/gtest.h>
 
 #include "host/report/experiments/cross_check.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view first_pair = "exact and jones";
 
-// Two scenes, of which the second has one cell that differs and one that was not run.
+// Two scenes; the second has one cell that differs and one that was not run.
 const CrossCheck& two_scenes() {
   static const CrossCheck made = [] {
     CrossCheck checked;
@@ -31,7 +31,7 @@ Cell verdict_of(std::string_view scene, std::string_view pair) {
   return std::string("no such pair");
 }
 
-TEST(CrossCheck, SaysOfEveryPairWhatItDid) {
+TEST(CrossCheck, ReportsTheResultOfEveryPair) {
   const std::size_t all = compare::participants().size();
   EXPECT_EQ(two_scenes().cells.size(), 2 * (all * (all - 1) / 2));
   EXPECT_EQ(verdict_of("C5", "exact and oracle"), Cell(Verdict{true, "pieces"}));

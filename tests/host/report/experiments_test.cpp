@@ -1,4 +1,4 @@
-// What experiments measure: what must be true of any run, and of the report that is made of it.
+// What experiments measure: properties of every run, and of the report made from it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -63,13 +63,13 @@ TEST(Experiments, HaveAllScenesAndFunctions) {
   EXPECT_EQ(skala().curves.size(), 8U);
 }
 
-// Fig. 6 gives the layout: what the words of all openings come to is counted apart from the assembler.
+// Fig. 6 gives the layout: the number of words for all openings is counted independently of the assembler.
 TEST(Experiments, TheLayoutOfFigure6IsTheProgramsOwn) {
   ASSERT_EQ(jones().elements.size(), 5U);
   for (const JonesElements& row : jones().elements) EXPECT_EQ(row.opening_words, row.opening_words_counted) << row.scene;
 }
 
-TEST(Experiments, NoSceneNeedsMoreThanThereIs) {
+TEST(Experiments, NoSceneExceedsTheCapacity) {
   for (const JonesView& view : jones().views) {
     EXPECT_LE(view.used_words, 8192U);
     EXPECT_GE(view.used_words, view.program_words + view.scene_words);
@@ -89,7 +89,7 @@ TEST(Experiments, NoSceneNeedsMoreThanThereIs) {
 }
 
 // "Cells to which access is not gained in this way are never even considered."
-TEST(Experiments, UnseenRoomsCostTheMachineNothing) {
+TEST(Experiments, InvisibleRoomsCostTheMachineNothing) {
   const auto& corridors = jones().corridors;
   ASSERT_EQ(corridors.size(), 4U);
   for (const std::size_t row : {0U, 2U}) {
@@ -104,7 +104,7 @@ TEST(Experiments, UnseenRoomsCostTheMachineNothing) {
   }
 }
 
-TEST(Experiments, ABuildingBesideTheHouseChangesNothingButTheNumberOfCells) {
+TEST(Experiments, ABuildingNextToTheHouseOnlyChangesTheNumberOfCells) {
   const auto& house = results().of<JonesUnseen>().house;
   ASSERT_EQ(house.size(), 4U);
   std::size_t cells = 0;
@@ -112,7 +112,7 @@ TEST(Experiments, ABuildingBesideTheHouseChangesNothingButTheNumberOfCells) {
     EXPECT_GT(row.cells, cells);
     cells = row.cells;
     EXPECT_GT(cells, row.rooms);
-    // Of the house there are 64 rooms and what lies around them.
+    // The house has 64 rooms and the cells around them.
     EXPECT_LT(row.cells_seen, 100U);
     EXPECT_EQ(row.cells_seen, house[0].cells_seen);
     EXPECT_EQ(row.visits, house[0].visits);
@@ -120,7 +120,7 @@ TEST(Experiments, ABuildingBesideTheHouseChangesNothingButTheNumberOfCells) {
   }
 }
 
-// What is computed exactly has no error, and what fits its words has one that falls with fraction bits.
+// Exact computation has no error, and the error of sufficiently long words falls with fraction bits.
 TEST(Experiments, ErrorsFallWithFractionBits) {
   const JonesAccuracy& machine = results().of<JonesAccuracy>();
   ASSERT_EQ(machine.builds.size(), 4U * 2 * 4);
@@ -133,7 +133,7 @@ TEST(Experiments, ErrorsFallWithFractionBits) {
     }
 }
 
-// At tolerance 0 every view at a random angle is exact; what is joined or shown longer is wrong in more views.
+// At tolerance 0 every view at a random angle is exact; joined or extended events make more views wrong.
 TEST(Experiments, TurnsAreExactWithoutATolerance) {
   EXPECT_EQ(results().of<PlantingaTurns>().models.size(), 5U);
   const auto grow = [](const auto& rows) {
@@ -150,8 +150,9 @@ TEST(Experiments, TurnsAreExactWithoutATolerance) {
   grow(results().of<PlantingaAccuracy>().steps);
 }
 
-// The printed Table 1: in five rows events are edges times events an edge. In the row Grid they are not (hard case
-// P22), so nothing should be tuned to it.
+// The printed Table 1: in five rows events equal edges times events per edge. In the row Grid they do not (hard case P22), so
+// nothing
+// should be fitted to it.
 TEST(ReportPapers, OnlyTheRowGridDisagreesWithItself) {
   const PrintedTable& printed = Papers::built_in().table("plantinga_table_1");
   ASSERT_EQ(printed.rows.size(), 6U);
@@ -161,9 +162,10 @@ TEST(ReportPapers, OnlyTheRowGridDisagreesWithItself) {
   }
 }
 
-// Without the 90-degree rule nothing is wrong where no pair of surfaces is left over; with it, something is. Between the
-// first cut and the last the error may rise, too: a cut makes pairs that were none before.
-TEST(Experiments, WillisCutsUntilNothingIsLeftOverAndThenNothingIsWrong) {
+// Without the 90-degree rule there is no error if there are no residual pairs; with the rule there is. Between the first cut and
+// the last
+// the error may also rise, because a cut makes new pairs.
+TEST(Experiments, WillisWithoutResidualPairsHasNoError) {
   const WillisOrder& willis = results().of<WillisOrder>();
   ASSERT_EQ(willis.models.size(), 16U * 9);
   std::uint64_t wrong_by_rule = 0;
@@ -173,7 +175,7 @@ TEST(Experiments, WillisCutsUntilNothingIsLeftOverAndThenNothingIsWrong) {
       EXPECT_GE(model.pieces, willis.models[row - 1].pieces) << row;
     }
     if (row % 9 == 8) {
-      EXPECT_EQ(model.left_over, 0U) << row << ": else nothing was shown";
+      EXPECT_EQ(model.left_over, 0U) << row << ": otherwise the test is empty";
     }
     if (model.left_over != 0) continue;
     if (model.rule90) {
@@ -184,7 +186,7 @@ TEST(Experiments, WillisCutsUntilNothingIsLeftOverAndThenNothingIsWrong) {
     }
   }
   EXPECT_GT(wrong_by_rule, 0U);
-  // With nothing cut.
+  // Without cuts.
   EXPECT_GT(willis.models[0].lines_wrong_percent, 0.02);
   EXPECT_LT(willis.models[0].lines_wrong_percent, 2);
   ASSERT_EQ(willis.pictures.size(), 3U);
@@ -225,7 +227,7 @@ TEST(Experiments, MontaniAndResTablesComeOut) {
   EXPECT_EQ(results().of<MontaniReGrowth>().views.size(), 6U);
 }
 
-// The words under which the papers' numbers stand in them.
+// The texts with which the papers' numbers occur in them.
 TEST(ReportPapers, HaveEveryNumber) {
   std::string said;
   for (const Paper& paper : Papers::built_in().all()) {
@@ -246,7 +248,7 @@ TEST(ReportPapers, HaveEveryNumber) {
     EXPECT_NE(said.find(words), std::string::npos) << words;
 }
 
-TEST(ReportRun, StatesNothingThatDoesNotHold) {
+TEST(ReportRun, StatesNoFailedClaim) {
   const auto report = report_of({}, results(), quiet());
   ASSERT_TRUE(report) << report.error().message();
   const std::string page = html_page(*report);
@@ -255,7 +257,7 @@ TEST(ReportRun, StatesNothingThatDoesNotHold) {
   EXPECT_LT(page.size(), 4'000'000U);
 }
 
-// Parts choose by kind; the opening page is of the whole report.
+// Parts are selected by kind; the opening page belongs to the whole report.
 TEST(ReportRun, PartsAreKindsOfChapters) {
   const auto titles = [](std::span<const int> parts) {
     std::vector<std::string> found;
@@ -289,7 +291,7 @@ TEST(ReportRun, PartsAreKindsOfChapters) {
   EXPECT_GE(findings, 8U);
 }
 
-// Every chapter of a part has something to show; a chapter is found by its id.
+// Every chapter of a part has contents; a chapter is found by its id.
 TEST(ReportRun, EveryChapterHasTablesOrPictures) {
   for (const SectionPlan& section : report_sections()) {
     for (const Chapter& chapter : section.chapters) {
@@ -305,7 +307,7 @@ TEST(ReportRun, EveryChapterHasTablesOrPictures) {
   }
 }
 
-// Every case that is run has a picture of what is right, where there is a picture at all; a wrong one has its own.
+// Every case that is run has a picture of the correct result, where there is a picture at all; a wrong result has a separate one.
 TEST(Experiments, HardCasesHavePictures) {
   std::size_t without = 0;
   for (const CaseResult& row : results().of<HardCases>().cases) {
@@ -314,7 +316,7 @@ TEST(Experiments, HardCasesHavePictures) {
     }
     if (!row.correct && count(row.findings, [](const CaseFinding& finding) { return finding.right == true; }) > 0) ++without;
   }
-  EXPECT_LE(without, 12U) << "files that must be refused";
+  EXPECT_LE(without, 12U) << "files that must be rejected";
 }
 
 TEST(Comparison, Has24ScenesOf100Views) {
@@ -336,18 +338,18 @@ TEST(Comparison, Has24ScenesOf100Views) {
   EXPECT_EQ(kinds["polyhedra"], 9U);
 }
 
-TEST(Comparison, ExactMethodsAreExactAndProgramsAreTheirTwins) {
+TEST(Comparison, ExactMethodsAreExactAndProgramsEqualTheirTwins) {
   for (const compare::AnswerRow& row : results().of<Comparison>().rows) {
     EXPECT_EQ(row.defect, "") << row.method << ", " << row.scene;
     if (row.exact) {
       EXPECT_EQ(row.right, row.views) << row.method << ", " << row.scene;
     }
-    EXPECT_FALSE(row.host_seconds) << "not asked for";
+    EXPECT_FALSE(row.host_seconds) << "not requested";
   }
 }
 
-// More doors in the same walls, and every cell of a view is seen at least once.
-TEST(Comparison, RoomsAreAscendingByOpenness) {
+// More doors in the same walls, and every cell of a view is visible at least once.
+TEST(Comparison, RoomsAscendByOpenness) {
   double before = 0;
   for (const ComparisonScene& room : results().of<Comparison>().rooms()) {
     EXPECT_EQ(room.walls, 24U);
@@ -358,14 +360,14 @@ TEST(Comparison, RoomsAreAscendingByOpenness) {
   EXPECT_EQ(before, 8);
 }
 
-// A row for each picture that a method has of a scene, all methods among them, and a time for every program on a machine.
+// One row per picture that a method has of a scene, with all methods, and a time for every program on a machine.
 TEST(Opening, HasEveryMethod) {
   const OpeningAnswer& answer = results().of<OpeningAnswer>();
   std::set<std::string> methods;
   for (const compare::AnswerRow& row : answer.rows) {
     methods.insert(row.method);
     EXPECT_EQ(row.views, 1U) << row.method << ", " << row.scene;
-    EXPECT_FALSE(row.host_seconds) << "not asked for";
+    EXPECT_FALSE(row.host_seconds) << "not requested";
     const bool on_machine = row.method.find("-pdp7") != std::string::npos || row.method.find("-8080") != std::string::npos;
     EXPECT_EQ(row.emulated_seconds.has_value(), on_machine) << row.method << ", " << row.scene;
   }
@@ -376,7 +378,7 @@ TEST(Opening, HasEveryMethod) {
                           [](const compare::PlotPoint& point) { return point.panel == compare::PlotPanel::emulated; }));
 }
 
-// With other experiments on all processors, and by themselves on one.
+// Together with other experiments on all processors, and alone on one.
 TEST(ReportRun, IsTheSameTwice) {
   constexpr std::array parts{4, 5};
   Context one = quiet();

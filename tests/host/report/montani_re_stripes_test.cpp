@@ -1,4 +1,4 @@
-// Montani and Re's stripes: the measures know a rectangle, and errors fall with the thickness.
+// Montani and Re's stripes: the measures of a rectangle, and errors that decrease with the thickness.
 #include "host/report/experiments/montani_re_stripes.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ TEST(MontaniReGrowth, ExponentsOfPowersAreTheirs) {
 
 TEST(MontaniReGrowth, FewPointsHaveNoExponent) {
   EXPECT_FALSE(growth_exponent({{1, 5}}, 2));
-  EXPECT_FALSE(growth_exponent({{1, 5}, {10, 0}, {100, 0}}, 2)) << "points of 0 are left out";
+  EXPECT_FALSE(growth_exponent({{1, 5}, {10, 0}, {100, 0}}, 2)) << "points of 0 are omitted";
   EXPECT_NEAR(growth_exponent({{1, 5}, {10, 0}, {100, 500}}, 2).value(), 1, 1e-12);
 }
 
@@ -33,7 +33,7 @@ TEST(MontaniReStripes, TheBoundaryOfARectangleIsItsSides) {
   double length = 0;
   double lowest = 1e9;
   const auto boundary = boundary_of(pcs, 16);
-  EXPECT_EQ(boundary.size(), 6U) << "two sides a stripe, one below, one above";
+  EXPECT_EQ(boundary.size(), 6U) << "two sides per stripe, one below, one above";
   for (const picture::PixelSegment& s : boundary) {
     length += std::hypot(s.b.x - s.a.x, s.b.y - s.a.y);
     lowest = std::min({lowest, s.a.y, s.b.y});
@@ -46,8 +46,8 @@ TEST(MontaniReStripes, TheBoundaryOfARectangleIsItsSides) {
   EXPECT_EQ(boundary_of(pcs, 16).size(), 2U + 1 + 4 + 1 + 2);
 }
 
-TEST(MontaniReStripes, ErrorFallsWithThicknessAndIsNothingForTheExactBuild) {
-  // Nothing in it is lower than half a stripe: that would be lost.
+TEST(MontaniReStripes, ErrorFallsWithThicknessAndIsZeroForTheExactBuild) {
+  // Nothing in it is lower than half a stripe, which would be lost.
   const auto measured = measure_stripes({.scenes = {"boxes"}, .scene_size = 8, .raster = 128, .rounds = 0}, {});
   const std::vector<StripesPicture>& pictures = measured.pictures;
   ASSERT_EQ(pictures.size(), stripe_units.size() + 1);
@@ -69,7 +69,7 @@ TEST(MontaniReStripes, ErrorFallsWithThicknessAndIsNothingForTheExactBuild) {
   EXPECT_FALSE(exact.h_usual_stripes());
   EXPECT_EQ(exact.pmr_percent, 0);
   EXPECT_LT(exact.h_px, 1e-6);
-  EXPECT_FALSE(exact.view_ms) << "no times were asked for";
+  EXPECT_FALSE(exact.view_ms) << "no times were requested";
   ASSERT_EQ(measured.exponents.size(), 1U);
   EXPECT_NEAR(measured.exponents[0].sides.value(), -1, 0.1) << "half the thickness, twice the sides";
   EXPECT_FALSE(measured.exponents[0].view_ms);

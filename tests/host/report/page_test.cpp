@@ -1,4 +1,4 @@
-// What chapters are written with: rows that are chosen and summed, tables, claims, plots, and papers.json.
+// The functions that write chapters: selected and summed rows, tables, claims, plots, and papers.json.
 #include "host/report/page.hpp"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,7 @@ TEST(ReportRows, AreChosenAndSummed) {
   EXPECT_EQ(&only(views, equals(&View::words, 8000)), &views[2]);
 }
 
-TEST(ReportRows, WhatIsNotThereIsPassedOver) {
+TEST(ReportRows, AbsentValuesAreSkipped) {
   EXPECT_EQ(values(views, &View::host_ns), std::vector<double>{30});
   EXPECT_EQ(greatest(views, &View::host_ns), 30);
   EXPECT_THROW(static_cast<void>(least(where(views, equals(&View::eae, false)), &View::host_ns)), std::logic_error);
@@ -104,7 +104,7 @@ TEST(ReportTables, AreMadeOfRows) {
   EXPECT_EQ(table.notes.size(), 2U);
 }
 
-TEST(ReportTables, LoseWhatIsOfThisComputer) {
+TEST(ReportTables, OmitHostTimesOnRequest) {
   const auto table = only<Table>(table_of_views, false);
   EXPECT_EQ(csv_text(table), "scene,view_ms,small\r\nhouse,2000,yes\r\nstreet,1500,too large\r\n");
   EXPECT_EQ(table.notes.size(), 1U);
@@ -121,7 +121,7 @@ TEST(ReportTables, TurnRowsIntoColumns) {
   EXPECT_EQ(table.columns[2].title, "without");
 }
 
-TEST(ReportClaims, StandBesideWhatWasMeasured) {
+TEST(ReportClaims, AreShownNextToTheMeasurements) {
   const auto table = only<Table>([](Page& page) {
     page.claims("paper", "P",
                 {{"p.time", least_and_greatest(views, &View::view_s), 2, "all", "near"},
@@ -132,7 +132,7 @@ TEST(ReportClaims, StandBesideWhatWasMeasured) {
   EXPECT_EQ(table.rows[0], (std::vector<Cell>{std::string("abstract"), std::string("\"a second\""), Real{0.5, 2}, Real{2, 2},
                                               std::string("s"), Real{0.5}, Real{2}, std::string("all"), std::string("near")}));
   EXPECT_EQ(table.rows[1][1], Cell(std::string("some rows")));
-  EXPECT_EQ(table.rows[1][5], Cell(Real{0.75})) << "the least here to the greatest of the paper";
+  EXPECT_EQ(table.rows[1][5], Cell(Real{0.75})) << "the smallest here divided by the largest of the paper";
   EXPECT_EQ(table.rows[1][6], Cell(Real{1.5}));
   EXPECT_EQ(table.rows[1][8], Cell(Verdict{false, "not in this run: \"more than 4\"; here 3"}));
   EXPECT_EQ(table.rows[2][2], Cell());
@@ -145,7 +145,7 @@ TEST(ReportClaims, ThatDoNotHoldAreSaid) {
   const CheckedText failed = "All. " + Page::claim(false, "It holds.", "3 of 4") + Page::claim(false, "So does this.");
   EXPECT_EQ(failed.text, "All. ");
   EXPECT_EQ(failed.failed, (std::vector<std::string>{"\"It holds.\"; here 3 of 4", "\"So does this.\""}));
-  // In the page it stands out.
+  // The page highlights it.
   const Report report{"R", "1", {}, {{"s", "S", {Paragraph{failed}}}}};
   EXPECT_NE(html_page(report).find("<p class=\"bad\">Not in this run: &quot;It holds.&quot;; here 3 of 4</p>"),
             std::string::npos);
@@ -165,9 +165,9 @@ TEST(ReportPlots, HaveACurveForEachName) {
   EXPECT_EQ(drawn, "house: 7000,0.5EAE 7001,2;street: 8000,1.5EAE;house, joined: 8000,30;");
 }
 
-TEST(ReportPlots, OfFewerThanThreePointsAreLeftOut) {
+TEST(ReportPlots, OfFewerThanThreePointsAreOmitted) {
   Plot plot;
-  // A negative place cannot be drawn on a logarithmic axis, and equal points are one.
+  // A logarithmic axis cannot show a negative position, and equal points are merged.
   plot.curves = {{"a", {{1, 1}, {2, 2}, {2, 2}, {-1, 3}}}};
   Page page(true, papers());
   Panel panel;
@@ -201,7 +201,7 @@ TEST(ReportPapers, AreQuotedWithTheirPlaces) {
   EXPECT_EQ(papers().table("t").text(0, "scene"), "house");
 }
 
-TEST(ReportPapers, SayWhatIsNotThere) {
+TEST(ReportPapers, ReportMissingEntries) {
   const Page page(true, papers());
   EXPECT_EQ(refused([&] { static_cast<void>(page.paper_figure("p.none")); }), "papers.json: claim p.none: found no figure");
   EXPECT_EQ(refused([&] { static_cast<void>(page.paper_figure("p.tine")); }),
@@ -212,7 +212,7 @@ TEST(ReportPapers, SayWhatIsNotThere) {
             "papers.json: column scene, row 1: expected a number");
 }
 
-TEST(ReportPapers, DamagedOnesAreRefusedWithTheirPlace) {
+TEST(ReportPapers, DamagedOnesAreErrorsWithTheirPosition) {
   const auto read = [](std::string_view text) { return refused([text] { const Papers damaged(text); }); };
   EXPECT_NE(read("{").find("papers.json"), std::string::npos);
   EXPECT_NE(read("[]").find("papers"), std::string::npos);

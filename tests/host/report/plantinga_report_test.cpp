@@ -1,4 +1,4 @@
-// Plantinga, Seales and Dyer in the report: lists kept between reports.
+// Plantinga, Seales and Dyer in the report: lists cached between reports.
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
@@ -36,7 +36,7 @@ class PlantingaCache : public ::testing::Test {
   std::string root_;
 };
 
-TEST_F(PlantingaCache, KeepsListsAndMakesAnewWhatIsOfNoUse) {
+TEST_F(PlantingaCache, KeepsListsAndReplacesUnusableOnes) {
   EXPECT_FALSE(study().from_cache);
   const base::Bytes good = bytes();
   EXPECT_TRUE(study().from_cache);

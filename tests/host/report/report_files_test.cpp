@@ -1,4 +1,4 @@
-// A report on disk: what appears, and what is left when it cannot.
+// A report on disk: its files, and the files that remain after a failure.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -60,8 +60,8 @@ TEST_F(ReportFiles, AFileInTheWayIsAnErrorThatNamesIt) {
   EXPECT_EQ(found(), (std::set<std::string>{"taken"}));
 }
 
-TEST_F(ReportFiles, NothingIsLeftWhenOneCannotBeWritten) {
-  // A directory where the page should be, and one where a table should be.
+TEST_F(ReportFiles, NothingRemainsIfOneCannotBeWritten) {
+  // Folders where the page should be and where a table should be.
   files::create_directories(folder_ / "a" / "index.html");
   files::create_directories(folder_ / "b" / "tables" / "sample.json");
   const auto before = found();
@@ -83,7 +83,7 @@ TEST_F(ReportFiles, AnOlderReportIsReplaced) {
   EXPECT_EQ(text_of(folder_ / "index.html"), html_page(other));
 }
 
-TEST_F(ReportFiles, WhatAPartGivesIsHeldAgainstTheRules) {
+TEST_F(ReportFiles, TheOutputOfAPartIsChecked) {
   const auto refused = [&](auto&& change) {
     Report report = sample_report();
     change(report.sections[0]);

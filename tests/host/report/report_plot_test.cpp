@@ -1,4 +1,4 @@
-// Plots: what gnuplot is told, and that it draws it.
+// Plots: the scripts for gnuplot, and that it draws them.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -29,13 +29,13 @@ TEST(ReportPlot, PutsZeroADecadeBelowTheLeastError) {
   EXPECT_NE(script.find("set xlabel 'error [px]'"), std::string::npos);
 }
 
-TEST(ReportPlot, LeavesOutWhatALogarithmicAxisCannotShow) {
+TEST(ReportPlot, OmitsPointsThatALogarithmicAxisCannotShow) {
   const std::string script = gnuplot_script(sample_plot());
   EXPECT_NE(script.find("$curve1 << END_OF_CURVE\nEND_OF_CURVE\n"), std::string::npos) << script;
   EXPECT_EQ(script.find("plot $curve1"), std::string::npos);
 }
 
-// What a curve is drawn with, its colour left out.
+// The style of a curve without its colour.
 std::string marks_of_curve(const std::string& script, std::size_t curve) {
   const std::string command = "$curve" + std::to_string(curve) + " using 1:2 with ";
   const std::size_t from = script.find(command) + command.size();
@@ -60,7 +60,7 @@ TEST(ReportPlot, CurvesDifferWithoutColour) {
   EXPECT_EQ(marks_of_curve(gnuplot_script(plot), 1).find("dt"), std::string::npos) << "points have no dashes";
 }
 
-TEST(ReportPlot, LongNamesLeaveThePlotItsRoom) {
+TEST(ReportPlot, LongNamesLeaveRoomForThePlot) {
   Plot plot = sample_plot();
   EXPECT_NE(gnuplot_script(plot).find("set key outside right"), std::string::npos);
   plot.curves[0].name = "a town of turned houses, seen in plan";
@@ -81,7 +81,7 @@ TEST(ReportPlot, IsDrawnTheSameTwiceAndRunsNothingElse) {
   EXPECT_NE(svg.find("</svg>"), std::string::npos);
 }
 
-// The renderer leaves such plots out; a defect there must not give an empty picture.
+// The renderer omits such plots; a defect there must not give an empty picture.
 TEST(ReportPlot, WithoutAPointIsAnError) {
   Plot plot = sample_plot();
   plot.curves.erase(plot.curves.begin());
@@ -91,7 +91,7 @@ TEST(ReportPlot, WithoutAPointIsAnError) {
   EXPECT_NE(drawn.error().message().find("plot: gnuplot drew nothing"), std::string::npos) << drawn.error().message();
 }
 
-TEST(ReportPlot, AMissingGnuplotIsSaid) {
+TEST(ReportPlot, AMissingGnuplotIsReported) {
   const char* const path = std::getenv("PATH");
   const std::string kept = path == nullptr ? "" : path;
   ASSERT_EQ(setenv("PATH", "/nonexistent", 1), 0);

@@ -11,7 +11,7 @@
 namespace sightline::report {
 namespace {
 
-// A reader of RFC 4180, from its grammar: records of fields; refuses what the grammar has no place for.
+// A reader of RFC 4180, by its grammar: records of fields; rejects text outside the grammar.
 std::vector<std::vector<std::string>> read_csv(const std::string& text) {
   std::vector<std::vector<std::string>> records(1, {""});
   for (std::size_t at = 0; at < text.size(); ++at) {
@@ -58,7 +58,7 @@ TEST(ReportJson, CarriesEveryCellByItsKey) {
   EXPECT_TRUE(document["rows"][2]["view_s"].is_null());
 }
 
-TEST(ReportJson, ShowsWhatIsNoUtf8AsFarAsItCanBe) {
+TEST(ReportJson, ShowsInvalidUtf8AsFarAsPossible) {
   Table table = sample_table();
   table.rows[0][0] = std::string("\xff");
   EXPECT_EQ(nlohmann::json::parse(json_text(table))["rows"][0]["name"], "\uFFFD");
@@ -104,7 +104,7 @@ TEST(ReportPage, HoldsPicturesAsDataUris) {
   EXPECT_EQ(data_uri("x/y", {0xFB, 0xFF, 0xFE}), "data:x/y;base64,+//+");
 }
 
-TEST(ReportPage, NeedsNothingElseAndLeadsToItsParts) {
+TEST(ReportPage, IsSelfContainedAndLinksToItsParts) {
   const std::string page = html_page(sample_report());
   EXPECT_EQ(page.find("http"), std::string::npos);
   EXPECT_EQ(page.find("<script"), std::string::npos);
@@ -124,7 +124,7 @@ TEST(ReportPage, IsTheSameTwice) {
   EXPECT_EQ(html_page(sample_report()), html_page(sample_report()));
 }
 
-TEST(ReportPage, FoldsWhatIsFolded) {
+TEST(ReportPage, FoldsSections) {
   Report report = sample_report();
   std::get<Table>(report.sections[0].blocks[2]).folded = true;
   const std::string page = html_page(report);
@@ -132,7 +132,7 @@ TEST(ReportPage, FoldsWhatIsFolded) {
   EXPECT_EQ(html_page(sample_report()).find("<details><summary><h4"), std::string::npos);
 }
 
-TEST(ReportPage, KeepsHeadingsAndRowNamesInSight) {
+TEST(ReportPage, KeepsHeadingsAndRowNamesVisible) {
   const std::string page = html_page(sample_report());
   EXPECT_NE(page.find("thead th { position: sticky; top: 0"), std::string::npos);
   EXPECT_NE(page.find("tbody th { position: sticky; left: 0"), std::string::npos);
@@ -140,8 +140,8 @@ TEST(ReportPage, KeepsHeadingsAndRowNamesInSight) {
   EXPECT_NE(page.find("<details class=\"chapter\" id=\"chapter\"><summary><h3>A heading</h3></summary>"), std::string::npos);
 }
 
-// Cards stand in the page without a filter's choice; a choice hides those of other tables, by style alone.
-TEST(ReportPage, ShowsRowsAsCardsThatCanBeChosen) {
+// Without a filter all cards are shown; a filter hides those of other tables, by style alone.
+TEST(ReportPage, ShowsRowsAsCardsWithFilters) {
   const std::string page = html_page(sample_report());
   EXPECT_NE(page.find("<article class=\"card right\">\n<h4>A</h4>"), std::string::npos);
   EXPECT_NE(page.find("<article class=\"card wrong\">\n<h4>B</h4>"), std::string::npos);
@@ -158,7 +158,7 @@ TEST(ReportPage, ShowsRowsAsCardsThatCanBeChosen) {
   EXPECT_EQ(html_page(other).find("<form"), std::string::npos);
 }
 
-TEST(ReportPage, SaysWhatDoesNotHold) {
+TEST(ReportPage, ReportsFailedClaims) {
   Report report = sample_report();
   std::get<Table>(report.sections[0].blocks[2]).notes = {CheckedText("It is fast.", {"\"It is small.\" needs x < 1; here x is 2"})};
   const std::string page = html_page(report);

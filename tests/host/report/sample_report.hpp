@@ -1,5 +1,4 @@
-// A small report: every kind of block and cell, and text that HTML, CSV and gnuplot would
-// stumble over.
+// A small report: every kind of block and cell, and text that is difficult for HTML, CSV and gnuplot.
 #pragma once
 
 #include <limits>

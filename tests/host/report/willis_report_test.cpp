@@ -1,4 +1,4 @@
-// Willis in the report: the measures can tell a wrong picture.
+// Willis in the report: the measures detect a wrong picture.
 #include <gtest/gtest.h>
 
 #include <utility>
@@ -35,7 +35,7 @@ TEST(WillisViews, AWrongOrderIsCounted) {
   EXPECT_GT(nothing.inside_per_cent(), 0);
 }
 
-// The edges that points are held apart from are where faces change.
+// Faces change exactly at the edges that the measure excludes.
 TEST(WillisViews, FacesChangeOnlyNextToEdges) {
   const scene::PolyScene scene = scene::generate_boxes(5);
   const TrueFaces truth(scene, cameras_around(scene, 487), 64);

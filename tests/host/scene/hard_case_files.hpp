@@ -1,5 +1,6 @@
-// The inputs of the hard cases (host/compare/hard_cases/data), for tests of an algorithm's insides: what the
-// report shows of such a case is the name of its test, which reads the same file.
+// The inputs of the hard cases (host/compare/hard_cases/data), for tests at the level of an algorithm: the report names the test
+// of such a
+// case, which reads the same file.
 #pragma once
 
 #include <gtest/gtest.h>

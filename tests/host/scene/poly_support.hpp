@@ -1,5 +1,4 @@
-// Scenes of faces read from text and written to it, what a check finds in them, and one that several tests
-// use.
+// Scenes of faces read from text and written to it, the errors that a check finds in them, and a scene that several tests use.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -39,7 +38,7 @@ inline std::string problems(const PolyScene& scene) {
   return text;
 }
 
-// A box within a box, one body: the inner faces, 6 to 11, look into the cavity; their vertices are 8 to 15.
+// A box within a box, one body: the inner faces, 6 to 11, face the cavity; their vertices are 8 to 15.
 inline PolyScene hollow_box() {
   PolyBuilder builder;
   builder.add_box("outer", {0, 0, 0}, {10, 10, 10});

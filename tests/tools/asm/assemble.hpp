@@ -1,4 +1,4 @@
-// Short forms for tests of the assembler: one source text in, words and messages out.
+// Helpers for tests of the assembler: one source text in, words and messages out.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ inline std::vector<std::string> messages(const Assembly& assembly) {
   return texts;
 }
 
-// The words from address 0 (or another) on, as far as they follow one another.
+// The consecutive words from address `from` on.
 inline std::vector<std::uint32_t> words(const Assembly& assembly, std::uint32_t from = 0) {
   std::vector<std::uint32_t> values;
   const auto& core = assembly.image.words;

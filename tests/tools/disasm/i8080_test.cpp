@@ -1,4 +1,4 @@
-// 8080 bytes through the disassembler and back through the assembler.
+// 8080 bytes disassembled and assembled again.
 #include "tools/disasm/i8080.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(DisassembleI8080, EveryOpcodeWithSeveralOperandsComesBack) {
       for (const unsigned byte : {opcode, operand, operand ^ 0x5AU})
         image.put(at++, static_cast<std::uint8_t>(byte));
       for (int i = 0; i < 3; ++i)
-        image.put(at++, 0);  // whatever came before, an instruction begins after these
+        image.put(at++, 0);  // an instruction begins after these, whatever precedes them
     }
     EXPECT_EQ(again(image), image) << opcode;
   }
@@ -55,7 +55,7 @@ TEST(DisassembleI8080, ScatteredBytesComeBack) {
   EXPECT_EQ(again(image), image);
 }
 
-// Skala's monitor with all its files, read again in each dialect; the generated programs are in tests/tools/asm/i8080/dialect_test.cpp.
+// Skala's monitor with all its files, read in each dialect; tests/tools/asm/i8080/dialect_test.cpp has the generated programs.
 TEST(DisassembleI8080, FirmwareComesBackInEachDialect) {
   const std::filesystem::path folder = std::filesystem::path(SIGHTLINE_SOURCE_DIR) / "firmware/i8080/skala";
   const auto text_of = [&folder](const std::string& name) -> std::optional<std::string> {

@@ -1,4 +1,4 @@
-// Every word of 18 bits through the disassembler and back through the assembler.
+// Every word of 18 bits disassembled and assembled again.
 #include "tools/asm/pdp7.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ std::string at_100(std::uint32_t word) {
   return disassemble_word(Word18(word), 0100);
 }
 
-// 32K words at a time, through whole sources.
+// Whole sources of 32K words at a time.
 TEST(DisassemblePdp7, EveryWordComesBack) {
   for (std::uint32_t block = 0; block < 8; block += tests::effort(1U, 3U)) {
     image::CoreImage image;
@@ -97,7 +97,7 @@ assembler::Assembly assemble_bell(std::string text) {
   return assembler::assemble_pdp7(sources, options);
 }
 
-// 8K words at a time, which is all that the dialect has.
+// 8K words at a time, the limit of the dialect.
 TEST(DisassemblePdp7Bell, EveryWordComesBack) {
   for (std::uint32_t block = 0; block < 32; block += tests::effort(1U, 9U)) {
     image::CoreImage image;
@@ -116,7 +116,7 @@ std::string text_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// The Jones program with both multiplications, and every example: from DEC's language into that of Bell Laboratories and back.
+// The Jones program with both multiplications, and every example: from DEC's language to that of Bell Laboratories and back.
 TEST(DisassemblePdp7Bell, FirmwareAndExamplesComeBack) {
   namespace fs = std::filesystem;
   const fs::path root = SIGHTLINE_SOURCE_DIR;
@@ -152,7 +152,7 @@ TEST(DisassemblePdp7Bell, FirmwareAndExamplesComeBack) {
   }
 }
 
-// Programs as they lie in core: runs of words here and there, a start address or none.
+// Programs as they are in core: scattered runs of words, with or without a start address.
 TEST(DisassemblePdp7, GeneratedProgramsComeBackInBothDialects) {
   std::mt19937 random(1970);
   const auto below = [&random](std::uint32_t limit) { return static_cast<std::uint32_t>(random() % limit); };

@@ -1,4 +1,4 @@
-// Display files as text: the worked file of the period's word formats, and that any words come back.
+// Display files as text: a worked file with the word formats of the time, and round trips of random words.
 #include <gtest/gtest.h>
 
 #include <random>

@@ -1,5 +1,4 @@
-// Intel HEX and raw bytes: records known from Intel's description, round trips, and everything that can be
-// wrong.
+// Intel HEX and raw bytes: records from Intel's description, round trips, and every error.
 #include "tools/image/intel_hex.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +20,7 @@ ByteImage image_of(std::uint16_t address, const std::vector<std::uint8_t>& bytes
   return image;
 }
 
-// Sixteen bytes at 0100; the checksum 40 was added up by hand.
+// Sixteen bytes at 0100; the checksum 40 was computed by hand.
 constexpr std::string_view known_record = ":10010000214601360121470136007EFE09D2190140\n";
 
 std::string known_file(std::string_view end) {
@@ -69,7 +68,7 @@ TEST(IntelHex, RandomImagesComeBack) {
   }
 }
 
-TEST(IntelHex, WhatIsTaken) {
+TEST(IntelHex, AcceptedVariants) {
   for (const char* text :
        {":01000000AA55\r\n:00000001FF\r\n", ":01000000aa55\n\n:00000001ff",
         ":01000000AA55\n:0000000000\n\x1A\x1A", ":020000020000FC\n:01000000AA55\n:00000001FF",
@@ -82,7 +81,7 @@ TEST(IntelHex, WhatIsTaken) {
   }
 }
 
-TEST(IntelHex, WhatIsRefused) {
+TEST(IntelHex, Errors) {
   EXPECT_EQ(read_error(""),
             "f.hex:1:1: error: found the end of the file, expected an end record, :00000001FF");
   EXPECT_EQ(read_error(":01000000AA55\n"),
@@ -109,13 +108,13 @@ TEST(IntelHex, WhatIsRefused) {
   EXPECT_EQ(read_error(":0400000500010000F6"),
             "f.hex:1:10: error: found a start address above FFFF, expected one within the 64K of an 8080");
   EXPECT_EQ(read_error(":01000000AA55\n:01000000AB54\n"),
-            "f.hex:2:10: error: found another byte for address 0000, expected one value an address");
+            "f.hex:2:10: error: found another byte for address 0000, expected one value per address");
   EXPECT_EQ(read_error(":00000001FF\n:01000000AA55"),
             "f.hex:2:1: error: found ':' after the end record, expected the end of the file");
   EXPECT_EQ(read_error(":01000001AA54"), "f.hex:1:2: error: found data in an end record, expected length 00");
 }
 
-TEST(IntelHex, EverySingleDamageIsNoticed) {
+TEST(IntelHex, EverySingleDamageIsDetected) {
   const std::string good = known_file(":00010001FE\n");
   const auto whole = read_intel_hex(good, "f").value();
   for (std::size_t i = 0; i < good.size() - 1; ++i) {

@@ -1,4 +1,4 @@
-// The octal core image: what it says, and every way to say it wrongly.
+// The octal core image: its format, and every error in it.
 #include "tools/image/octal.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ TEST(OctalImage, WordsFollowOneAnotherAndAddressesAreSet) {
   EXPECT_EQ(read.value(), expected);
 }
 
-TEST(OctalImage, BeginsWhereTold) {
+TEST(OctalImage, BeginsAtTheGivenAddress) {
   const auto read = read_octal("000001", "a", 0200);
   ASSERT_TRUE(read);
   EXPECT_TRUE(read.value().words.contains(0200));
@@ -43,7 +43,7 @@ struct Damage {
   const char* message;
 };
 
-TEST(OctalImage, MistakesAreNamedWithLineAndColumn) {
+TEST(OctalImage, ErrorsHaveLineAndColumn) {
   const std::vector<Damage> damages{
       {"000001\n 12345", "f:2:2: error: found '12345', expected a word of six octal digits"},
       {"1234567", "f:1:1: error: found '1234567', expected a word of six octal digits"},

@@ -79,9 +79,9 @@ TEST(RoundTrip, Hri) {
   }
 }
 
-// Hole 8 lost anywhere in a word is refused. (The one case that cannot be seen at once is the first line of a
-// word without data: it becomes blank feed, and the words after it are shifted.)
-TEST(RoundTrip, ALostHole8IsNoticed) {
+// A hole 8 lost anywhere in a word is an error. (It cannot be detected at once in the first line of a word without data, which
+// becomes blank feed and shifts the words after it.)
+TEST(RoundTrip, ALostHole8IsDetected) {
   Images images(4);
   for (int i = 0; i < tests::effort(20, 3); ++i) {
     const Tape tape = write_rim(images.sparse(017762), "t").value();
@@ -89,7 +89,7 @@ TEST(RoundTrip, ALostHole8IsNoticed) {
     while (tape[first] == 0) ++first;
     std::size_t end = tape.size();
     while (tape[end - 1] == 0) --end;
-    end -= 3;  // the word after the last one is not looked at
+    end -= 3;  // the word after the last one is not read
     for (std::size_t lost = first; lost < end; ++lost) {
       Tape damaged = tape;
       damaged[lost] &= 0177;

@@ -1,4 +1,4 @@
-// RIM and HRI tapes, line by line, and what is said of damaged ones.
+// RIM and HRI tapes, line by line, and the messages about damaged ones.
 #include "tools/image/tape.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using core::Word18;
 
-// DAC 100, 123456, JMP 100 as three lines a word.
+// DAC 100, 123456, JMP 100, three lines per word.
 const Tape rim_lines{0204, 0201, 0200, 0212, 0234, 0256, 0260, 0201, 0200};
 // 123456 and 000001, then JMP 100 with hole 7.
 const Tape hri_lines{0212, 0234, 0256, 0200, 0200, 0201, 0260, 0201, 0300};
@@ -64,7 +64,7 @@ TEST(Rim, LeaderMayBeReadableAndFeedMayStandBetweenWords) {
   EXPECT_TRUE(read_rim(tape, "t"));
 }
 
-TEST(Rim, DamageIsNamedWithItsByte) {
+TEST(Rim, DamageIsReportedWithItsByte) {
   EXPECT_EQ(message(read_rim({}, "t")),
             "t:byte 0: error: found the end of the tape, expected DAC address, JMP start or HLT");
   EXPECT_EQ(message(read_rim(first_lines(rim_lines, 6), "t")),
@@ -120,7 +120,7 @@ TEST(Hri, FillsGapsAndKeepsTheBank) {
   EXPECT_EQ(read.value().start, 020002U);
 }
 
-TEST(Hri, DamageIsNamedWithItsByte) {
+TEST(Hri, DamageIsReportedWithItsByte) {
   EXPECT_EQ(
       message(read_hri(with(hri_lines, 8, 0200), "t", 0)),
       "t:byte 9: error: found the end of the tape, expected a word, the last with hole 7 in its third line");
@@ -138,7 +138,7 @@ TEST(Hri, DamageIsNamedWithItsByte) {
             "HRI tape");
 }
 
-// A punch that was a line or two ahead: hole 7 stands before the third line of the last word.
+// A punch that was a line or two ahead: hole 7 is before the third line of the last word.
 TEST(EarlyHole7, EndsAnHriTapeWithAWarning) {
   for (const std::size_t line : {6U, 7U}) {
     const Tape tape = with(with(hri_lines, 8, 0200), line, static_cast<std::uint8_t>(hri_lines[line] | 0100));
@@ -148,7 +148,7 @@ TEST(EarlyHole7, EndsAnHriTapeWithAWarning) {
     EXPECT_EQ(read.value(), (CoreImage{{{0300, Word18(0123456)}, {0301, Word18(1)}}, 0100}));
     EXPECT_EQ(warnings, (std::vector<std::string>{"t: byte " + std::to_string(line) + ": hole 7 in line " +
                                                   std::to_string(line - 5) +
-                                                  " of the last word, expected it in line 3; the tape is read to this word"}));
+                                                  " of the last word, expected it in line 3; the tape is read up to this word"}));
     EXPECT_EQ(recognise(tape, "t").value(), Format::hri);
     EXPECT_TRUE(read_hri(tape, "t", 0300));
   }
@@ -175,7 +175,7 @@ TEST(EarlyHole7, InsideATapeIsDamage) {
   EXPECT_EQ(message(read_rim(with(rim_lines, 3, 0312), "t")),
             "t:byte 3: error: found line 312 with hole 7 before the third line of a word, expected three lines with hole 8 "
             "of the data word for address 00100");
-  // A last word that is no JMP and no HLT stays an error.
+  // A last word other than JMP and HLT is still an error.
   EXPECT_EQ(message(read_hri(first_lines(with(hri_lines, 4, 0300), 6), "t", 0)),
             "t:byte 3: error: found last word 000001, expected JMP start or HLT");
 }
@@ -186,7 +186,7 @@ TEST(Recognition, IsByContent) {
   EXPECT_EQ(recognise(octal_bytes, "t").value(), Format::octal);
   EXPECT_EQ(recognise(rim_lines, "t").value(), Format::rim);
   EXPECT_EQ(recognise(hri_lines, "t").value(), Format::hri);
-  // An HRI tape whose first word is a DAC is still one.
+  // An HRI tape whose first word is a DAC is still HRI.
   EXPECT_EQ(recognise(Tape{0204, 0201, 0200, 0274, 0200, 0340, 0}, "t").value(), Format::hri);
   EXPECT_EQ(message(recognise({}, "t")),
             "t: error: found an empty file, expected an octal core image, a RIM tape or an HRI tape");
@@ -201,7 +201,7 @@ TEST(Recognition, ReadsWithTheAddressThatTheFormatNeeds) {
   EXPECT_TRUE(read_image(rim_lines, "t", {}));
   EXPECT_TRUE(read_image(hri_lines, "t", 5));
   EXPECT_EQ(message(read_image(hri_lines, "t", {})),
-            "t: error: found an HRI tape without an address, expected the address to read it in at");
+            "t: error: found an HRI tape without an address, expected the address at which to read it in");
   EXPECT_EQ(message(read_image(rim_lines, "t", 5)),
             "t: error: found an address for a RIM tape, expected none: the tape has its own");
 }

@@ -1,5 +1,4 @@
-// Directives that enclose lines: conditionals, macros, repeats. A body is kept as text, each line with its
-// place.
+// Directives that enclose lines: conditionals, macros, repeats. A body is kept as text with the position of each line.
 #include <algorithm>
 #include <utility>
 
@@ -15,13 +14,13 @@ bool opens_definition(Directive directive) {
          directive == Directive::irpc;
 }
 
-// `;;` begins a comment that does not come along into expansions.
+// `;;` begins a comment that is not copied into expansions.
 std::string_view without_private_comment(std::string_view text) {
   const std::size_t at = start_of_comment(text, 0);
   return text.substr(at).starts_with(";;") ? text.substr(0, at) : text;
 }
 
-// As it is read again: a first digit above 9 has a 0 before it.
+// In the radix, with a leading 0 if the first digit is above 9, so that it can be read again.
 std::string in_radix(unsigned value, unsigned radix) {
   std::string digits;
   do {
@@ -58,23 +57,23 @@ void I8080Pass::conditional(Directive directive, const Head& head) {
   conditionals_.push_back(opened);
 }
 
-// A condition with an error in it is false.
+// A condition with an error is false.
 bool I8080Pass::condition(Directive directive) {
   if (directive == Directive::if_first_pass || directive == Directive::if_second_pass) {
-    // The passes that lay the program out are the first, the one that makes the bytes is the second.
+    // IF1 is true in the layout passes, IF2 in the pass that makes the bytes.
     return expect_end() && final_ == (directive == Directive::if_second_pass);
   }
   if (directive == Directive::if_ || directive == Directive::if_zero) {
     const std::size_t at = token_.column;
-    const auto value = settled("a condition");
+    const auto value = constant_value("a condition");
     if (!value || !expect_end()) return false;
     const bool odd = (*value & 1U) != 0;
     if (odd != (*value != 0) && rules_.if_takes_bit_zero) {
       const std::string dialect(i8080_dialect_names[static_cast<std::size_t>(rules_.dialect)]);
-      warning(at, "value " + std::to_string(*value) + " of IF, whose bit 0 alone counts with --dialect " + dialect, "0 or an odd value");
+      warning(at, "value " + std::to_string(*value) + " of IF, of which only bit 0 is tested with --dialect " + dialect, "0 or an odd value");
     } else if (odd != (*value != 0) && rules_.dialect == I8080Dialect::common) {
       warning(at, "value " + std::to_string(*value) + " of IF",
-              "0, an odd value or --dialect, because it is taken for true, and with mac and intel bit 0 alone counts");
+              "0, an odd value or --dialect: it is true here; mac and intel test bit 0 alone");
     }
     return (rules_.if_takes_bit_zero ? odd : *value != 0) == (directive == Directive::if_);
   }
@@ -122,7 +121,7 @@ Arguments I8080Pass::arguments_of(std::string_view text, std::size_t at) {
   Arguments arguments = split_arguments(text, at, rules_);
   if (rules_.dialect == I8080Dialect::common && arguments.bang != std::string_view::npos) {
     warning(arguments.bang, "'!' in an argument",
-            "--dialect, because it is taken for itself, and with m80 and intel the next character is taken as it is");
+            "--dialect: it is an ordinary character here; m80 and intel take the next character literally");
   }
   return arguments;
 }
@@ -147,7 +146,7 @@ void I8080Pass::repeat(Directive directive) {
   definition.kind = directive;
   definition.macro.name = name_of(directive);
   if (directive == Directive::rept) {
-    definition.iterations = settled("a count").value_or(0);
+    definition.iterations = constant_value("a count").value_or(0);
     expect_end();
     return begin_definition(std::move(definition));
   }
@@ -164,7 +163,7 @@ void I8080Pass::repeat(Directive directive) {
     if (directive == Directive::irpc) {
       for (const char c : text) definition.rows.push_back({std::string(1, c)});
     } else {
-      // Without brackets the arguments are the list themselves.
+      // Without brackets the arguments themselves are the list.
       if (given.list.size() < 2) given = split_arguments(text, 0, rules_);
       for (const Argument& argument : given.list) definition.rows.push_back({argument.text});
     }
@@ -202,7 +201,7 @@ void I8080Pass::collect() {
   collect_line();
 }
 
-// A statement behind `!` is set off from column 1, where it did not stand.
+// A statement after `!` is indented, because it did not begin in column 1.
 void I8080Pass::collect_line() {
   const std::string indent = statement_.begins_line ? "" : " ";
   Position at = place(0);
@@ -250,7 +249,7 @@ std::vector<std::string> I8080Pass::argument_texts(const Arguments& arguments) {
       continue;
     }
     read_operands(argument.column);
-    const auto value = settled("a value");
+    const auto value = constant_value("a value");
     if (value && !token_.is(',')) expect_end();
     texts.push_back(in_radix(value.value_or(0), radix_));
   }

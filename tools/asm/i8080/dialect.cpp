@@ -14,7 +14,7 @@ constexpr I8080Rules mac{.dialect = I8080Dialect::mac,
                          .arguments_are_scanned = true,
                          .arguments_are_capitals = true,
                          .first_character_is_low = true,
-                         .garbles_prefixes = true,
+                         .fails_on_weak_prefixes = true,
                          .significant = 16};
 constexpr I8080Rules m80{.dialect = I8080Dialect::m80,
                          .bang_separates = false,
@@ -44,17 +44,17 @@ constexpr std::array rows{
                     "ASM, section 3.2"},
     I8080DialectRow{"`!` in a comment",
                     [](const I8080Rules& rules) -> std::string {
-                      if (is_common(rules)) return "belongs to it; a warning if a statement could begin there";
-                      return rules.bang_ends_comment ? "ends it" : "belongs to it";
+                      if (is_common(rules)) return "part of the comment; a warning if a statement could begin there";
+                      return rules.bang_ends_comment ? "ends the comment" : "part of the comment";
                     },
                     "ASM, section 3.2: a comment lasts to the next real or logical end of line; MACRO-80, 2.3.1"},
-    I8080DialectRow{"`$` behind the first item of DB and DW",
+    I8080DialectRow{"`$` after the first item of DB and DW",
                     [](const I8080Rules& rules) -> std::string {
                       if (is_common(rules)) return "the address of the item; a warning";
                       return rules.location_moves ? "the address of the item" : "the address of the statement";
                     },
                     "MAC 2.0 and MACRO-80 3.44 themselves, though MACRO-80, 2.11, says: at the start of the statement; ASM80 4.1 itself"},
-    I8080DialectRow{"to take the next character of a macro argument as it is",
+    I8080DialectRow{"sign that makes the next character of a macro argument literal",
                     [](const I8080Rules& rules) -> std::string {
                       const std::string sign = std::string("`") + rules.literal + "`";
                       return is_common(rules) ? sign + "; a warning at `!`" : sign;
@@ -62,7 +62,7 @@ constexpr std::array rows{
                     "MAC, 8.7; MACRO-80, 2.7.9; Intel, chapter 5, \"Special Macro Operators\""},
     I8080DialectRow{"`$` in a name",
                     [](const I8080Rules& rules) -> std::string {
-                      return rules.dollar_in_names ? "a character like others, also the first" : "passed over; not the first";
+                      return rules.dollar_in_names ? "significant, also as the first character" : "ignored; never the first character";
                     },
                     "MAC, 2; MACRO-80, 2.3.2"},
     I8080DialectRow{"`$` before a digit",
@@ -72,15 +72,15 @@ constexpr std::array rows{
                     "of this assembler; MACRO-80, 2.3.2"},
     I8080DialectRow{"`IF` is true",
                     [](const I8080Rules& rules) -> std::string {
-                      const std::string warned = "; a warning if that is not the same as: ";
+                      const std::string warned = "; a warning if that differs from: ";
                       if (is_common(rules)) return "if not 0" + warned + "bit 0 is 1";
                       return rules.if_takes_bit_zero ? "if bit 0 is 1" + warned + "not 0" : "if not 0";
                     },
                     "MAC, 4.5, and MAC 2.0 itself; MACRO-80, 2.6.26; ASM80 4.1 itself"},
     I8080DialectRow{"`HIGH` and `LOW`",
                     [](const I8080Rules& rules) -> std::string {
-                      if (is_common(rules)) return "of the next operand; a warning if an operator follows it";
-                      return rules.high_is_loosest ? "of all that follows: `HIGH A+1` is `HIGH (A+1)`" : "of the next operand";
+                      if (is_common(rules)) return "apply to the next operand; a warning if an operator follows it";
+                      return rules.high_is_loosest ? "apply to all that follows: `HIGH A+1` is `HIGH (A+1)`" : "apply to the next operand";
                     },
                     "MAC, 3.6; MACRO-80, 2.4.1; Intel, chapter 2, on precedence"},
     I8080DialectRow{"parameters of a macro in the text of an argument",
@@ -106,9 +106,9 @@ constexpr std::array rows{
                     "MAC 2.0 itself, though ASM, 3.3.4, says 4142; MACRO-80 3.44 itself"},
     I8080DialectRow{"a blank in a macro argument, outside strings and `< >`",
                     [](const I8080Rules& rules) -> std::string {
-                      return rules.blanks_separate_arguments ? "ends it as a comma does: `1 , 2` are three" : "belongs to it";
+                      return rules.blanks_separate_arguments ? "ends the argument as a comma does: `1 , 2` are three" : "part of the argument";
                     },
-                    "MACRO-80 3.44 itself; MAC 2.0 has it for an error"},
+                    "MACRO-80 3.44 itself; an error in MAC 2.0"},
     I8080DialectRow{"`IRPC` without characters",
                     [](const I8080Rules& rules) -> std::string {
                       return rules.empty_irpc_is_one ? "is expanded once" : "is not expanded";
@@ -116,19 +116,19 @@ constexpr std::array rows{
                     "MAC 2.0 and MACRO-80 3.44 themselves"},
     I8080DialectRow{"`/` and `MOD` of values above 7FFF",
                     [](const I8080Rules& rules) -> std::string {
-                      if (is_common(rules)) return "without sign; a warning";
-                      return rules.divides_signed ? "with sign: `-7/2` is -3, `7 MOD -4` is -3" : "without sign";
+                      if (is_common(rules)) return "unsigned; a warning";
+                      return rules.divides_signed ? "signed: `-7/2` is -3, `7 MOD -4` is -3" : "unsigned";
                     },
                     "MACRO-80 3.44 and MAC 2.0 themselves; Intel not confirmed"},
-    I8080DialectRow{"`HIGH`, `LOW`, `NOT`, `-` behind a stronger operator, as in `A-HIGH B`, `1 EQ NOT B`",
+    I8080DialectRow{"`HIGH`, `LOW`, `NOT`, `-` after an operator of higher precedence, as in `A-HIGH B`, `1 EQ NOT B`",
                     [](const I8080Rules& rules) -> std::string {
-                      const std::string all = "of their operand";
-                      return rules.garbles_prefixes ? all + "; a warning: an error there, or other bytes" : all;
+                      const std::string all = "apply to their operand";
+                      return rules.fails_on_weak_prefixes ? all + "; a warning: MAC reports an error or makes other bytes" : all;
                     },
                     "MAC 2.0 itself"},
     I8080DialectRow{"`-1 SHR 4`",
                     [](const I8080Rules& rules) -> std::string {
-                      return rules.minus_is_tightest ? "0FFF: `-` is of the next operand" : "0: `-` is of the product behind it";
+                      return rules.minus_is_tightest ? "0FFF: `-` applies to the next operand" : "0: `-` applies to the product after it";
                     },
                     "MACRO-80 3.44 itself, though 2.4.1 has `-` below SHR; MAC, 3.6; Intel, chapter 2"},
     I8080DialectRow{"characters of a name that count",
@@ -136,7 +136,7 @@ constexpr std::array rows{
                       if (rules.significant == 0) return "all";
                       return std::to_string(rules.significant) + "; all count here, with a warning";
                     },
-                    "MAC, 2; MACRO-80 3.44 itself, though 2.3.2 says 6, which is so for PUBLIC and EXTRN; Intel, chapter 2, on labels, and ASM80 4.1 itself"},
+                    "MAC, 2; MACRO-80 3.44 itself, though 2.3.2 says 6, which holds for PUBLIC and EXTRN; Intel, chapter 2, on labels, and ASM80 4.1 itself"},
 };
 
 }  // namespace

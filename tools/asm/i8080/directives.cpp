@@ -1,5 +1,4 @@
-// Directives of a single statement: data, location, symbols, files. Those that enclose lines are in
-// i8080_blocks.
+// Directives of a single statement: data, location, symbols, files. i8080/blocks.cpp has those that enclose lines.
 #include <algorithm>
 #include <utility>
 
@@ -12,13 +11,13 @@ namespace {
 constexpr std::uint8_t last_character_mark = 0x80;
 
 // A name in INCLUDE is relative to the file it is in.
-std::string beside(std::string_view including, std::string_view name) {
+std::string path_beside(std::string_view including, std::string_view name) {
   const std::size_t slash = including.find_last_of("/\\");
   if (slash == std::string_view::npos || name.starts_with('/')) return std::string(name);
   return std::string(including.substr(0, slash + 1)) + std::string(name);
 }
 
-std::vector<std::string> ways_to_write(std::string_view name, bool library) {
+std::vector<std::string> candidate_names(std::string_view name, bool library) {
   std::vector<std::string> names{std::string(name)};
   const std::string lower = lower_case(name);
   if (library && name.find('.') == std::string_view::npos) {
@@ -90,7 +89,7 @@ void I8080Pass::data_bytes(bool mark_last) {
   expect_end();
 }
 
-// A string alone between commas is data; one that is part of an expression is not.
+// A string alone between commas is data; a string in an expression is not.
 bool I8080Pass::data_string(bool mark_last) {
   if (token_.kind != I8080TokenKind::string) return false;
   const I8080Token after = I8080Lexer(lexer_).next();
@@ -116,10 +115,10 @@ void I8080Pass::data_words() {
   expect_end();
 }
 
-// Without a fill byte the bytes are not given at all: they do not appear in a HEX file.
+// Without a fill byte the bytes stay undefined: they do not appear in a HEX file.
 void I8080Pass::space() {
   const std::size_t at = token_.column;
-  const auto size = settled("a size");
+  const auto size = constant_value("a size");
   if (!size) return;
   shown_value_ = statement_location_;
   if (token_.is(',')) {
@@ -128,14 +127,14 @@ void I8080Pass::space() {
     const auto fill = expression();
     const std::uint8_t byte = fill ? byte_of(*fill, fill_at).value_or(0) : std::uint8_t{0};
     count_lines(*size / listing_bytes_a_row);
-    for (std::uint32_t i = 0; i < *size && !said_overflow_ && !stopped_; ++i) emit(byte);
+    for (std::uint32_t i = 0; i < *size && !reported_overflow_ && !stopped_; ++i) emit(byte);
     if (!fill) return;
   } else if (location_ + *size > memory_end) {
-    if (!said_overflow_) {
+    if (!reported_overflow_) {
       error(at, std::to_string(*size) + " bytes of space",
             "at most " + std::to_string(memory_end - location_) + " up to the end of the 64K");
     }
-    said_overflow_ = true;
+    reported_overflow_ = true;
     location_ = memory_end;
   } else {
     location_ += *size;
@@ -144,11 +143,11 @@ void I8080Pass::space() {
 }
 
 void I8080Pass::origin() {
-  const auto address = settled("an address");
+  const auto address = constant_value("an address");
   if (!address || !expect_end()) return;
   if (phase_ != 0) return error(0, "ORG", ".DEPHASE before it");
   leave_common();
-  // Other segments may go on where this one was.
+  // Other segments may continue at the location of this one.
   const std::size_t counter = counter_of_[segment_];
   counters_[counter] = location_;
   const bool shared = std::any_of(counter_of_.begin(), counter_of_.end(), [&](const auto& each) {
@@ -159,7 +158,7 @@ void I8080Pass::origin() {
     counters_.push_back(*address);
   }
   location_ = *address;
-  said_overflow_ = false;
+  reported_overflow_ = false;
   shown_value_ = *address;
 }
 
@@ -191,12 +190,12 @@ void I8080Pass::include(bool library) {
   const auto in_file =
       std::find_if(frames_.rbegin(), frames_.rend(), [](const auto& f) { return !f->is_expansion(); });
   const std::string& including = program_.files[(*in_file)->file()].name;
-  for (const std::string& written : ways_to_write(name, library)) {
-    const auto file = read_included(beside(including, written));
+  for (const std::string& written : candidate_names(name, library)) {
+    const auto file = read_included(path_beside(including, written));
     if (!file) continue;
     for (const auto& frame : frames_) {
       if (!frame->is_expansion() && frame->file() == *file)
-        return error(at, quoted(name) + ", which is being read", "no file that includes itself");
+        return error(at, quoted(name) + ", which is being read", "a file that does not include itself");
     }
     push(std::make_unique<I8080Frame>(*file, program_.files[*file].text, rules_));
     return;
@@ -204,7 +203,7 @@ void I8080Pass::include(bool library) {
   error(at, quoted(name) + ", which cannot be read", "a file beside " + including);
 }
 
-// Where the file is among those read; empty if it cannot be. Each is read once for all passes.
+// The index of the file among those read; nothing if it cannot be read. Each file is read once for all passes.
 std::optional<std::size_t> I8080Pass::read_included(const std::string& path) {
   const auto known = program_.included.find(path);
   if (known != program_.included.end()) return known->second;
@@ -223,7 +222,7 @@ void I8080Pass::externals() {
     share(name);
     I8080Entry& entry = program_.symbols[name];
     if (entry.name.empty()) entry.name = name;
-    entry.external = true;  // of another source of this program, or never used
+    entry.external = true;  // defined in another source of this program, or never used
   }
 }
 
@@ -237,7 +236,7 @@ void I8080Pass::publics() {
   }
 }
 
-// .RADIX n: its own number is decimal.
+// .RADIX n: n itself is decimal.
 void I8080Pass::radix() {
   const std::size_t at = std::min(token_.column, statement_.text.size());
   lexer_ = I8080Lexer(statement_.text, at, rules_);
@@ -249,19 +248,19 @@ void I8080Pass::radix() {
   expect_end();
 }
 
-// .PHASE address: labels and `$` have the values of a program there, the bytes stay where they are.
+// .PHASE address: labels and `$` have the values of a program at that address; the bytes stay where they are.
 void I8080Pass::phase(const Head& head) {
   if (head.operation == ".dephase") {
     phase_ = 0;
     expect_end();
     return;
   }
-  const auto address = settled("an address");
+  const auto address = constant_value("an address");
   if (!address || !expect_end()) return;
   phase_ = (std::uint32_t{*address} - location_) & 0xFFFFU;
 }
 
-// .COMMENT *...*: the first sign ends it when it comes again.
+// .COMMENT *...*: the comment ends at the second occurrence of its first character.
 void I8080Pass::comment(const Head& head) {
   const std::string_view text = statement_.text;
   const std::size_t at = skip_blanks(text, head.operands);
@@ -271,7 +270,7 @@ void I8080Pass::comment(const Head& head) {
   comment_begun_ = place(head.operation_at);
 }
 
-// COMMON /NAME/: the bytes behind it, to the next segment, lie where those of the first block of the name do.
+// COMMON /NAME/: the bytes up to the next segment share the addresses of the first block of that name.
 void I8080Pass::common() {
   leave_common();
   std::string_view text = statement_.text.substr(std::min(token_.column, statement_.text.size()));
@@ -301,7 +300,7 @@ void I8080Pass::leave_common() {
   const std::uint32_t size = location_ - block.begins;
   if (behind_block_) {
     if (size > block.size) {
-      say(Severity::error, block_opened_, std::to_string(size) + " bytes of COMMON /" + *open_block_ + "/",
+      report(Severity::error, block_opened_, std::to_string(size) + " bytes of COMMON /" + *open_block_ + "/",
           "at most the " + std::to_string(block.size) + " of its first block");
     }
     location_ = *behind_block_;

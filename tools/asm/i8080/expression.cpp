@@ -1,5 +1,4 @@
-// Expressions, by Intel's precedence (8080/8085 Assembly Language Programming Manual, chapter 2): 16 bits,
-// unsigned.
+// Expressions, by Intel's precedence (8080/8085 Assembly Language Programming Manual, chapter 2): 16 bits, unsigned.
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -13,7 +12,7 @@ namespace {
 constexpr std::uint32_t word_mask = 0xFFFF;
 constexpr int deepest_nesting = 100;
 
-// Loosest first. NOT is between AND and the relations and has one operand.
+// Lowest precedence first. NOT is between AND and the relations and has one operand.
 constexpr int not_level = 2;
 constexpr int relation_level = 3;
 constexpr int sum_level = 4;
@@ -37,11 +36,11 @@ int precedence(Operator operation) {
     case Operator::mod:
     case Operator::shl:
     case Operator::shr: return tightest_level;
-    default: return -1;  // these precede their operand
+    default: return -1;  // prefix operators
   }
 }
 
-// MACRO-80 divides amounts; both results have the sign of the quotient.
+// MACRO-80 divides absolute values; both results have the sign of the quotient.
 std::uint32_t signed_result_of(Operator operation, std::uint32_t a, std::uint32_t b) {
   const auto amount = [](std::uint32_t value) { return (value & 0x8000U) != 0 ? (0U - value) & word_mask : value; };
   const std::uint32_t result = operation == Operator::divide ? amount(a) / amount(b) : amount(a) % amount(b);
@@ -73,7 +72,7 @@ std::uint32_t result_of(Operator operation, std::uint32_t a, std::uint32_t b) {
 }  // namespace
 
 std::optional<I8080Value> I8080Pass::expression() {
-  behind_operator_ = false;
+  after_operator_ = false;
   return level(0);
 }
 
@@ -108,7 +107,7 @@ std::optional<I8080Value> I8080Pass::level(int precedence_level) {
     if (!operation || precedence(*operation) != precedence_level) return left;
     const std::size_t at = token_.column;
     advance();
-    behind_operator_ = true;
+    after_operator_ = true;
     const auto right = level(precedence_level + 1);
     if (!right) return std::nullopt;
     left = combine(*operation, *left, *right, at);
@@ -128,7 +127,7 @@ std::optional<I8080Value> I8080Pass::combine(Operator operation, const I8080Valu
   if (divides) {
     const std::uint32_t with_sign = signed_result_of(operation, a.bits, b.bits) & word_mask;
     if (with_sign != bits && rules_.dialect == I8080Dialect::common) {
-      warning(at, "a division of values above 7FFF", "--dialect, because they are taken without sign, and in MACRO-80 with it");
+      warning(at, "a division of values above 7FFF", "--dialect: they are unsigned here, signed in MACRO-80");
     }
     if (rules_.divides_signed) bits = with_sign;
   }
@@ -144,11 +143,11 @@ bool I8080Pass::go_deeper() {
   return false;
 }
 
-// An operator before its operand, which reaches as far as operators of its level and tighter.
+// A prefix operator; its operand includes infix operators of its level and above.
 std::optional<I8080Value> I8080Pass::prefix(Operator operation, int operand_level) {
   if (!go_deeper()) return std::nullopt;
   advance();
-  behind_operator_ = operation != Operator::add;
+  after_operator_ = operation != Operator::add;
   auto value = level(operand_level);
   --nesting_;
   if (!value) return std::nullopt;
@@ -165,7 +164,7 @@ std::optional<I8080Value> I8080Pass::prefix(Operator operation, int operand_leve
 }
 
 std::optional<I8080Value> I8080Pass::primary() {
-  const bool behind_operator = std::exchange(behind_operator_, false);
+  const bool behind_operator = std::exchange(after_operator_, false);
   if (token_.kind == I8080TokenKind::number) {
     const I8080Value value{token_.number, true, false, false};
     if (token_.wrapped) warning(token_.column, quoted(token_.text), "at most 65535 (0FFFFH): it is taken modulo 65536");
@@ -177,7 +176,7 @@ std::optional<I8080Value> I8080Pass::primary() {
     std::string text = token_.value;
     if (text.size() == 2 && text[0] != text[1] && rules_.dialect == I8080Dialect::common) {
       warning(token_.column, quoted(token_.text) + " as a value",
-              "--dialect, because its first character is taken for the high byte, and in MAC it is the low byte");
+              "--dialect: its first character is the high byte here, the low byte in MAC");
     }
     if (rules_.first_character_is_low) std::reverse(text.begin(), text.end());
     for (const char c : text) value.bits = value.bits << 8 | static_cast<std::uint8_t>(c);
@@ -187,8 +186,8 @@ std::optional<I8080Value> I8080Pass::primary() {
   if (token_.is('$') || token_.is('*')) {
     const bool behind = location_ != statement_location_;
     if (behind && rules_.dialect == I8080Dialect::common) {
-      warning(token_.column, quoted(token_.text) + " behind the first item",
-              "--dialect, because it is taken for the address of the item, and in Intel's assembler it is that of the statement");
+      warning(token_.column, quoted(token_.text) + " after the first item",
+              "--dialect: it is the address of the item here, of the statement in Intel's assembler");
     }
     advance();
     const std::uint32_t here = behind && rules_.location_moves ? location_ : statement_location_;
@@ -217,8 +216,8 @@ std::optional<I8080Value> I8080Pass::primary() {
   }
   if (operation && (precedence(*operation) < 0 || precedence(*operation) == sum_level)) {
     const bool takes_byte = *operation == Operator::high || *operation == Operator::low;
-    if (behind_operator && rules_.garbles_prefixes && *operation != Operator::add) {
-      warning(token_.column, quoted(token_.text) + " behind a stronger operator",
+    if (behind_operator && rules_.fails_on_weak_prefixes && *operation != Operator::add) {
+      warning(token_.column, quoted(token_.text) + " after an operator of higher precedence",
               "parentheses around it and its operand: MAC refuses it, or makes other bytes");
     }
     if (takes_byte && rules_.high_is_loosest) return prefix(*operation, 0);
@@ -228,7 +227,7 @@ std::optional<I8080Value> I8080Pass::primary() {
     const auto behind = takes_byte && rules_.dialect == I8080Dialect::common ? operation_of_token() : std::nullopt;
     if (value && behind && precedence(*behind) >= 0) {
       warning(at, quoted(written) + " before an operator",
-              "parentheses, or --dialect, because it is taken to be of one operand, and in MAC it is of all that follows");
+              "parentheses, or --dialect: it applies to one operand here, to all that follows in MAC");
     }
     return value;
   }
@@ -237,7 +236,7 @@ std::optional<I8080Value> I8080Pass::primary() {
   return std::nullopt;
 }
 
-// A label may have the name of an instruction, a register or an operator between operands; null: there is none.
+// A label may have the name of an instruction, a register or an infix operator. Null if there is no such label.
 const I8080Entry* I8080Pass::label_of(const std::string& key) const {
   const auto found = program_.symbols.find(scoped(key));
   const bool defined = found != program_.symbols.end() && found->second.defined_in_pass != 0;
@@ -262,20 +261,20 @@ std::optional<I8080Value> I8080Pass::name_value() {
     return I8080Value{*entry->value, true, forward || entry->forward, entry->pattern};
   }
   if (!final_) return I8080Value{0, false, true, false};
-  const std::string elsewhere = where_else(name.value);
+  const std::string elsewhere = suggest_declaration(name.value);
   if (entry != nullptr && entry->external) {
     error(name.column, "external symbol " + quoted(name.text),
           elsewhere.empty() ? "one that a source of this program defines: there is no linker" : elsewhere);
   } else if (entry != nullptr && entry->defined_in_pass != 0) {
-    error(name.column, quoted(name.text) + ", whose own value is not known",
-          "an EQU that does not rest on itself");
+    error(name.column, quoted(name.text) + ", whose value is not known",
+          "an EQU that does not depend on itself");
   } else {
     error(name.column, "undefined symbol " + quoted(name.text), elsewhere.empty() ? "one that is defined" : elsewhere);
   }
   return std::nullopt;
 }
 
-std::optional<std::uint16_t> I8080Pass::settled(std::string_view what) {
+std::optional<std::uint16_t> I8080Pass::constant_value(std::string_view what) {
   const std::size_t at = token_.column;
   const auto value = expression();
   if (!value) return std::nullopt;

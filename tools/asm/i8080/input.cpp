@@ -40,7 +40,7 @@ void I8080Frame::expand(const BodyLine& line) {
 std::optional<I8080Statement> I8080Frame::next_statement() {
   if (cursor_ > line_.size()) return std::nullopt;
   const bool begins_line = cursor_ == 0;
-  // MAC ends a comment at `!`, but a line with `*` in column 1 at its end (MAC, section 2).
+  // MAC ends a comment at `!`, but a line with `*` in column 1 only at its end (MAC, section 2).
   const bool comment = begins_line && !line_.empty() && (line_[0] == '*' || (line_[0] == '$' && !rules_->dollar_in_names));
   const std::size_t end = comment ? line_.size() : end_of_statement(line_, cursor_, unclosed_, *rules_);
   const I8080Statement statement{line_.substr(cursor_, end - cursor_), cursor_, begins_line};

@@ -1,5 +1,4 @@
-// The sources of the lines of an 8080 assembly: files, and the expansions of macros and repeats inside them,
-// stacked.
+// Where the lines of an 8080 assembly come from: a stack of files and of the expansions of macros and repeats.
 #pragma once
 
 #include <cstddef>
@@ -20,19 +19,19 @@ struct I8080Statement {
   bool begins_line = false;
 };
 
-// One open file or expansion. Lines are fetched one by one, statements cut off them one by one, so that what
-// follows a macro call on its line comes after the expansion.
+// One open file or expansion. It is read line by line and each line statement by statement, so that the statements
+// after a macro call follow its expansion.
 class I8080Frame {
  public:
   // A file. `text` and the rules must outlive the frame.
   I8080Frame(std::size_t file, std::string_view text, const I8080Rules& rules) : rules_(&rules), file_(file), rest_(text) {}
-  // An expansion: the body `iterations` times. In each the row of texts with its number stands for `names`
-  // (there are no rows if there are no names), and texts of its own for the local names.
+  // An expansion: the body `iterations` times. Iteration i replaces `names` by the texts of row i
+  // (no rows if there are no names), and the local names by unique ones.
   I8080Frame(std::string name, Position called, std::shared_ptr<const Body> body,
              std::vector<std::string> names, std::vector<std::vector<std::string>> rows,
              std::size_t iterations, const I8080Rules& rules);
 
-  // The next line, or false at the end. `new_local` makes a name that is nowhere else.
+  // Reads the next line; false at the end. `new_local` makes a unique name.
   template <class NewLocal>
   bool next_line(NewLocal&& new_local) {
     cursor_ = 0;
@@ -51,17 +50,17 @@ class I8080Frame {
   [[nodiscard]] std::optional<I8080Statement> next_statement();
 
   [[nodiscard]] std::string_view line() const { return line_; }
-  // Where a character of the current line was written.
+  // Where the character at `offset` of the current line was written.
   [[nodiscard]] Position place(std::size_t offset) const;
   [[nodiscard]] bool is_expansion() const { return body_ != nullptr; }
   [[nodiscard]] std::size_t file() const { return file_; }
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] Position called() const { return called_; }
-  // Reads no further line, and no further statement of this one.
+  // Reads no further line and no further statement of this line.
   void finish();
 
-  std::size_t conditionals = 0;    // open when this was entered
-  std::optional<std::size_t> row;  // of the listing, for the current line
+  std::size_t conditionals = 0;    // open when this frame was entered
+  std::optional<std::size_t> row;  // row of the listing for the current line
   bool row_filled = false;
 
  private:
@@ -82,7 +81,7 @@ class I8080Frame {
   std::size_t next_ = 0;
   std::vector<std::string> texts_;  // of this iteration, in the order of names_
   std::string_view line_;
-  std::size_t cursor_ = 1;  // behind the end: no line yet
+  std::size_t cursor_ = 1;  // past the end: no line yet
   std::string unclosed_;    // of this line, see end_of_statement
   Expansion expanded_;
   Position body_place_;

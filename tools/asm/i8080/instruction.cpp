@@ -1,5 +1,4 @@
-// Instructions: the operands a mnemonic takes, and which of its rows they choose, come from the instruction
-// table.
+// Instructions: the instruction table gives the operands of a mnemonic and the rows that they select.
 #include <array>
 
 #include "tools/asm/i8080/pass.hpp"
@@ -31,7 +30,7 @@ const char* expected_for(Operand operand) {
 }
 
 // Bits of the opcode for the code of an operand.
-std::uint8_t placed(Operand operand, std::uint8_t code) {
+std::uint8_t opcode_bits(Operand operand, std::uint8_t code) {
   switch (operand) {
     case Operand::to_register:
     case Operand::restart: return static_cast<std::uint8_t>(code << 3);
@@ -57,14 +56,14 @@ std::optional<std::uint8_t> opcode_of(const Mnemonic& rows, const Codes& codes) 
   for (const Instruction* const row : rows) {
     if (!takes(*row, codes)) continue;
     unsigned opcode = row->value;
-    for (std::size_t i = 0; i < codes.size(); ++i) opcode |= placed(row->operands[i], codes[i]);
+    for (std::size_t i = 0; i < codes.size(); ++i) opcode |= opcode_bits(row->operands[i], codes[i]);
     return static_cast<std::uint8_t>(opcode);
   }
   return std::nullopt;
 }
 
-// SP and PSW are both 6 and so is M: which of them was meant shows only by name.
-bool wrong_name(Operand operand, std::string_view name) {
+// SP, PSW and M all have code 6: only the name shows which was meant.
+bool is_other_name(Operand operand, std::string_view name) {
   if (is_register(operand)) return name == "sp" || name == "psw";
   if (operand == Operand::pair) return name == "psw" || name == "m";
   if (operand == Operand::pair_psw) return name == "sp" || name == "m";
@@ -87,13 +86,13 @@ std::optional<std::uint8_t> code_of(Operand operand, std::uint32_t value) {
 
 }  // namespace
 
-// An operand that lies in the opcode.
+// An operand that is part of the opcode.
 std::optional<std::uint8_t> I8080Pass::field(Operand operand) {
   const I8080Token first = token_;
   const I8080Token after = I8080Lexer(lexer_).next();
   const bool alone = first.kind == I8080TokenKind::name &&
                      (after.kind == I8080TokenKind::end || after.is(',') || after.is(')'));
-  if (at_end() || (alone && wrong_name(operand, first.value))) {
+  if (at_end() || (alone && is_other_name(operand, first.value))) {
     unexpected(expected_for(operand));
     return std::nullopt;
   }
@@ -103,7 +102,7 @@ std::optional<std::uint8_t> I8080Pass::field(Operand operand) {
       return code;
     }
   }
-  // A register, even where a label has its name.
+  // The name means the register even if a label has the same name.
   const Word* const named = alone ? word(first.value, WordKind::register_name) : nullptr;
   std::optional<I8080Value> value;
   if (named != nullptr) {
@@ -147,7 +146,7 @@ void I8080Pass::instruction(const Mnemonic& rows) {
   for (int i = 1; i < form.bytes(); ++i, data >>= 8) emit(static_cast<std::uint8_t>(data));
 }
 
-// An instruction as a value: its opcode. Operands that lie in the opcode may be left out from the right.
+// An instruction as a value: its opcode. Trailing operands that are part of the opcode may be omitted.
 std::optional<std::uint8_t> I8080Pass::opcode_value(const Mnemonic& rows) {
   const std::size_t at = token_.column;
   const Instruction& form = *rows.front();

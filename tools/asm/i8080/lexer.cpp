@@ -16,7 +16,7 @@ bool is_letter(char c) {
   return lower(c) >= 'a' && lower(c) <= 'z';
 }
 
-// 99 for what is no digit of any radix.
+// 99 if `c` is a digit of no radix.
 unsigned digit_value(char c) {
   if (is_digit(c)) return static_cast<unsigned>(c - '0');
   return is_letter(c) ? static_cast<unsigned>(lower(c) - 'a') + 10U : 99U;
@@ -37,7 +37,7 @@ const char* name_of_radix(unsigned radix) {
   return radix == 16 ? "hexadecimal" : radix == 8 ? "octal" : radix == 2 ? "binary" : radix == 10 ? "decimal" : "radix";
 }
 
-// Behind the part in angle brackets that opens at `at`, or npos if it is not closed.
+// The offset after the part in angle brackets that opens at `at`, or npos if it is not closed.
 std::size_t end_of_brackets(std::string_view text, std::size_t at) {
   std::size_t depth = 0;
   for (std::size_t i = at; i < text.size(); ++i) {
@@ -47,8 +47,8 @@ std::size_t end_of_brackets(std::string_view text, std::size_t at) {
   return std::string_view::npos;
 }
 
-// A quote or bracket that is not closed counts as a plain character, and so do all later ones of its kind:
-// the search stays linear whatever the line holds, also when it goes on behind a stop with the same `plain`.
+// A quote or bracket that is not closed counts as a plain character, and so do all later ones of its kind. The search
+// thus stays linear, also when it continues after a stop with the same `plain`.
 std::size_t find_outside_groups(std::string_view text, std::size_t from, std::string_view stops,
                                 std::string& plain) {
   for (std::size_t i = from; i < text.size();) {
@@ -180,7 +180,7 @@ I8080Token I8080Lexer::name(std::size_t start) {
     return token;
   }
   I8080Token token{I8080TokenKind::name, start, text, key_of(text, *rules_)};
-  // NAME## is an external of MACRO-80; where it is defined is found like any other name.
+  // NAME## is an external of MACRO-80; its definition is found like that of any other name.
   if (text_.substr(at_).starts_with("##")) {
     token.external = true;
     at_ += 2;
@@ -199,7 +199,7 @@ I8080Token I8080Lexer::dollar(std::size_t start) {
   return {I8080TokenKind::sign, start, text_.substr(at_++, 1), {}};
 }
 
-// A radix of 0 is given by the suffix.
+// If `radix` is 0 the suffix gives it.
 I8080Token I8080Lexer::number(std::size_t start, std::size_t digits, unsigned radix) {
   at_ = digits;
   while (at_ < text_.size() && (digit_value(text_[at_]) < 99 || text_[at_] == '$')) ++at_;

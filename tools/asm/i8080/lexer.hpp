@@ -1,7 +1,8 @@
-// Words of 8080 source: statements of a line, the head of a statement, the tokens of its operands.
+// The lexer of 8080 source: statements of a line, the head of a statement, the tokens of its operands.
 //
-// Upper and lower case are the same outside quotes. `$` inside names and numbers is ignored (CP/M ASM) unless the dialect says
-// otherwise, and so is a line number before a statement. A quote is doubled inside a string of its own kind. `;` begins a comment.
+// Upper and lower case are the same outside quotes. `$` inside names and numbers is ignored (CP/M ASM) unless the dialect
+// makes it significant. A line number before a statement is ignored. A quote is doubled inside a string of its own kind. `;`
+// begins a comment.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +16,7 @@ namespace sightline::assembler {
 
 // A name without its `$`, in lower case.
 [[nodiscard]] std::string folded(std::string_view name);
-// A name as its symbol is known by: in lower case, with `$` if it counts.
+// The key of a name in the symbol table: in lower case, with `$` if the dialect counts it.
 [[nodiscard]] std::string key_of(std::string_view name, const I8080Rules& rules);
 [[nodiscard]] bool begins_name(char c);
 [[nodiscard]] bool continues_name(char c);
@@ -25,13 +26,13 @@ namespace sightline::assembler {
 // The same where a name may begin with `$`.
 [[nodiscard]] std::size_t end_of_name(std::string_view text, std::size_t at, const I8080Rules& rules);
 [[nodiscard]] std::size_t skip_blanks(std::string_view text, std::size_t at);
-// Behind the closing quote of the string that opens at `at`, or npos if it is not closed.
+// The offset after the closing quote of the string that opens at `at`, or npos if it is not closed.
 [[nodiscard]] std::size_t end_of_string(std::string_view text, std::size_t at);
-// As much of a token as a message can show.
+// A token in quotes, shortened for a message.
 [[nodiscard]] std::string quoted(std::string_view text);
 
-// Where the statement at `from` ends: at a `!` that the dialect lets separate statements, outside strings and angle brackets, or
-// at the end of the line. `unclosed` holds the quotes and brackets found not closed in this line, empty at its beginning.
+// Where the statement at `from` ends: at a `!` that separates statements in the dialect, outside strings and angle brackets,
+// or at the end of the line. `unclosed` collects the quotes and brackets that this line leaves open; empty at its beginning.
 [[nodiscard]] std::size_t end_of_statement(std::string_view line, std::size_t from, std::string& unclosed,
                                            const I8080Rules& rules);
 // Where the comment begins, or the length of the text.
@@ -45,8 +46,8 @@ struct I8080Token {
   std::string_view text;   // as written
   std::string value;       // name: folded; string: without quotes; bad: what was expected
   std::uint32_t number = 0;  // 0 to FFFF
-  bool wrapped = false;      // the number was larger: FFFF and less is left of it
-  bool external = false;     // of a name: `##` stood behind it
+  bool wrapped = false;      // the number was larger and has been reduced modulo 65536
+  bool external = false;     // of a name: followed by `##`
 
   [[nodiscard]] bool is(char sign) const { return kind == I8080TokenKind::sign && text.size() == 1 && text[0] == sign; }
   [[nodiscard]] bool is_sign(std::string_view sign) const { return kind == I8080TokenKind::sign && text == sign; }
@@ -58,7 +59,7 @@ struct I8080Token {
 class I8080Lexer {
  public:
   I8080Lexer() = default;
-  // Numbers without a suffix have the radix. The rules outlive the lexer.
+  // Numbers without a suffix are in `radix`. The rules must outlive the lexer.
   I8080Lexer(std::string_view text, std::size_t at, const I8080Rules& rules = rules_of(I8080Dialect::common), unsigned radix = 10)
       : text_(text), at_(at), rules_(&rules), radix_(radix) {}
   I8080Token next();

@@ -8,7 +8,7 @@
 namespace sightline::assembler {
 namespace {
 
-// Where the comment begins; a semicolon behind the sign for literal characters begins none.
+// Where the comment begins; a semicolon after the literal sign does not begin one.
 std::size_t end_of_arguments(std::string_view text, std::size_t at, char literal) {
   std::size_t end = start_of_comment(text, at);
   while (end < text.size() && end > at && text[end - 1] == literal) end = start_of_comment(text, end + 1);
@@ -41,7 +41,7 @@ class ArgumentSplitter {
       argument.evaluate = true;
       argument.column = ++at_;
     }
-    std::size_t kept = 0;  // blanks in front of this are not trimmed
+    std::size_t kept = 0;  // length up to which blanks are not trimmed
     while (at_ < text_.size() && text_[at_] != ',') {
       const char c = text_[at_];
       if (blanks_end_ && is_blank(c) && !argument.evaluate) break;
@@ -66,7 +66,7 @@ class ArgumentSplitter {
 
   void bracketed(std::string& text) {
     const std::size_t opened = at_++;
-    bool in_string = false;  // counts where pairs of apostrophes do
+    bool in_string = false;  // as the rules count pairs of apostrophes
     bool keeps_letters = false;
     for (std::size_t depth = 1; at_ < text_.size(); ++at_) {
       const char c = text_[at_];
@@ -91,7 +91,7 @@ class ArgumentSplitter {
           in_string = !in_string;
         }
       }
-      // Inside inner brackets the sign stays for the macro that gets them.
+      // Inside inner brackets the sign is kept for the macro that receives them.
       if (c == literal_ && at_ + 1 < text_.size()) {
         if (depth > 1) text += c;
         ++at_;
@@ -112,7 +112,7 @@ class ArgumentSplitter {
       text += written;
       return;
     }
-    // MAC takes one of two apostrophes away at each call; the string stays one with its quotes.
+    // MAC turns two apostrophes into one at each call; the string keeps its quotes.
     text += '\'';
     for (std::size_t i = 1; i + 1 < length; ++i) {
       text += written[i];
@@ -170,7 +170,7 @@ class Replacer {
   }
 
  private:
-  // A letter inside a number (0FFH, 1$0000B) begins no name.
+  // A letter inside a number (0FFH, 1$0000B) does not begin a name.
   [[nodiscard]] std::size_t end_of_number() const {
     std::size_t end = at_;
     while (end < line_.size() && continues_name(line_[end])) ++end;
@@ -188,7 +188,7 @@ class Replacer {
     const bool joined_after = end < line_.size() && line_[end] == '&';
     const bool may_be = quote_ == 0 || joined_before || joined_after;
     const std::string_view written = line_.substr(at_, end - at_);
-    // MAC folds letters outside strings alone, so `&x` in a string is not its parameter X.
+    // MAC folds only letters outside strings, so `&x` in a string is not its parameter X.
     const bool folds = quote_ == 0 || !rules_.arguments_are_capitals ||
                        std::none_of(written.begin(), written.end(), [](char c) { return c >= 'a' && c <= 'z'; });
     const auto found =
@@ -202,7 +202,7 @@ class Replacer {
     expansion_.origins.emplace_back(expansion_.text.size(), at_);
   }
 
-  // MAC reads the text that it has put for a name again, and looks for the other names in it.
+  // MAC scans the replacement text again and replaces the other parameters in it.
   [[nodiscard]] std::string text_for(std::size_t number) const {
     if (!rules_.arguments_are_scanned) return texts_[number];
     std::vector<std::string> others = names_;
@@ -217,7 +217,7 @@ class Replacer {
   const std::vector<std::string>& texts_;
   const I8080Rules& rules_;
   std::size_t at_ = 0;
-  std::size_t dropped_ = std::string_view::npos;  // the `&` just before this offset is gone already
+  std::size_t dropped_ = std::string_view::npos;  // the `&` before this offset has been removed
   char quote_ = 0;
   Expansion expansion_;
 };
@@ -228,7 +228,7 @@ Arguments split_arguments(std::string_view text, std::size_t from, const I8080Ru
   return ArgumentSplitter(text, from, rules).split();
 }
 
-// Inside a replaced text every offset comes from where the name stood.
+// All offsets inside a replacement map to the start of the name.
 std::size_t Expansion::origin_of(std::size_t offset) const {
   std::pair<std::size_t, std::size_t> before{0, 0};
   bool inside = false;

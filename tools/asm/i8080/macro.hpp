@@ -1,7 +1,7 @@
-// Macros of the 8080 assembler as texts: bodies, arguments, and the replacing of names by texts.
+// Macros of the 8080 assembler as texts: bodies, arguments, and the replacement of names by texts.
 //
-// A name is replaced wherever it is a whole name outside strings and comments, inside a string only
-// next to `&`. One `&` on either side of it goes away: that joins the text to its neighbour.
+// A name is replaced wherever it is a whole name outside strings and comments; inside a string only next to `&`. One `&` on
+// either side is removed, which joins the text to what is next to it.
 #pragma once
 
 #include <cstddef>
@@ -16,12 +16,12 @@
 
 namespace sightline::assembler {
 
-// Of a file or an expansion, in characters.
+// Limit for a line of a file or an expansion, in characters.
 inline constexpr std::size_t longest_line = 16384;
 
 struct BodyLine {
   std::string text;
-  Position at;  // of its first character
+  Position at;  // position of its first character
 };
 
 // The lines between MACRO, REPT, IRP or IRPC and its ENDM.
@@ -46,15 +46,15 @@ struct Argument {
 struct Arguments {
   std::vector<Argument> list;
   std::size_t unclosed = std::string_view::npos;  // offset of a `<` without `>`
-  std::size_t bang = std::string_view::npos;      // offset of a `!` that is no such sign
+  std::size_t bang = std::string_view::npos;      // offset of a `!` that is not the dialect's literal sign
 };
 
-// The arguments in text[from...], separated by commas, up to a comment. Blanks around them fall away, `<...>`
-// makes one argument of what it holds and is taken off, the dialect's sign takes the next character as it is. An empty text
-// has no arguments.
+// The arguments in text[from...], separated by commas, up to a comment. Blanks around them are removed. `<...>` makes its
+// contents one argument without the brackets. The character after the dialect's literal sign is taken literally. An empty
+// text has no arguments.
 [[nodiscard]] Arguments split_arguments(std::string_view text, std::size_t from, const I8080Rules& rules);
 
-// A text made of another one, and where its parts come from: pairs of offsets here and there.
+// A text made from another, with the origin of its parts: pairs of offsets in the new and the old text.
 struct Expansion {
   std::string text;
   std::vector<std::pair<std::size_t, std::size_t>> origins;
@@ -62,7 +62,7 @@ struct Expansion {
   [[nodiscard]] std::size_t origin_of(std::size_t offset) const;
 };
 
-// `names` folded, each replaced by the text of the same index. Ends with the replacement that makes the text
+// Replaces each of `names` (folded) by the text of the same index. Stops after the replacement that makes the text
 // longer than longest_line.
 [[nodiscard]] Expansion replace_names(std::string_view line, const std::vector<std::string>& names,
                                       const std::vector<std::string>& texts, const I8080Rules& rules);

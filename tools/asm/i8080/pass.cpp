@@ -11,8 +11,8 @@ namespace {
 
 using image::hexadecimal;
 
-constexpr std::size_t most_errors = 1000;       // and as many warnings
-constexpr std::size_t characters_a_line = 256;  // a longer line counts as several against the limit
+constexpr std::size_t most_errors = 1000;       // the same limit for warnings
+constexpr std::size_t characters_a_line = 256;  // a longer line counts as several lines in the limit
 constexpr std::size_t most_places_shown = 3;    // of nested expansions
 
 std::string local_name(std::size_t number) {
@@ -21,7 +21,7 @@ std::string local_name(std::size_t number) {
   return "??" + digits;
 }
 
-// Those that stand before their operand: a label of that name could not be told from it.
+// Prefix operators: a label of that name could not be distinguished from the operator.
 bool is_prefix(Operator operation) {
   return operation == Operator::not_ || operation == Operator::high || operation == Operator::low || operation == Operator::nul;
 }
@@ -30,7 +30,7 @@ bool is_prefix(Operator operation) {
 
 void I8080Pass::run(std::size_t sources) {
   program_.unknown_equates = 0;
-  program_.values_moved = false;
+  program_.values_changed = false;
   for (std::size_t file = 0; file < sources && !stopped_; ++file) {
     source_ = file;
     radix_ = 10;
@@ -47,7 +47,7 @@ void I8080Pass::run(std::size_t sources) {
     phase_ = 0;
     enter_segment("cseg");
   }
-  doubt_publics();
+  warn_about_undefined_publics();
 }
 
 // Lines
@@ -87,15 +87,15 @@ void I8080Pass::end_of_frame() {
   const std::string end =
       frame.is_expansion() ? "the end of " + frame.name() : "the end of " + program_.files[frame.file()].name;
   while (conditionals_.size() > frame.conditionals) {
-    say(Severity::warning, conditionals_.back().opened, end + " inside this IF", "ENDIF; it ends here");
+    report(Severity::warning, conditionals_.back().opened, end + " inside this IF", "ENDIF; it ends here");
     conditionals_.pop_back();
   }
   if (definition_ && definition_->frames == frames_.size()) {
-    say(Severity::error, definition_->opened, end + " inside this definition", "ENDM");
+    report(Severity::error, definition_->opened, end + " inside this definition", "ENDM");
     definition_.reset();
   }
   if (comment_end_ && !frame.is_expansion()) {
-    say(Severity::error, comment_begun_, end + " inside this .COMMENT", "'" + std::string(1, *comment_end_) + "' again");
+    report(Severity::error, comment_begun_, end + " inside this .COMMENT", "'" + std::string(1, *comment_end_) + "' again");
     comment_end_.reset();
   }
   frames_.pop_back();
@@ -103,7 +103,7 @@ void I8080Pass::end_of_frame() {
 
 // Symbols
 
-// No name has a line break.
+// The separator is a line break, which no name contains.
 std::string I8080Pass::scoped(const std::string& name) const {
   if (!program_.modules_known) return name;
   const I8080Module& module = program_.modules[source_];
@@ -119,8 +119,8 @@ void I8080Pass::share(const std::string& name) {
   module.shared.insert(name);
 }
 
-// What would let a name that is not known here be that of another source; empty if none has it.
-std::string I8080Pass::where_else(const std::string& name) const {
+// The declaration that would make an unknown name known from another source; empty if no source defines it.
+std::string I8080Pass::suggest_declaration(const std::string& name) const {
   if (!program_.modules_known) return {};
   const bool declares = program_.modules[source_].declares && !program_.modules[source_].shared.contains(name);
   const auto of = [&](const I8080Entry& entry) { return program_.files[entry.defined.file].name; };
@@ -135,11 +135,11 @@ std::string I8080Pass::where_else(const std::string& name) const {
   return {};
 }
 
-void I8080Pass::doubt_publics() {
+void I8080Pass::warn_about_undefined_publics() {
   for (const Public& each : publics_) {
     const auto found = program_.symbols.find(each.name);
     if (found == program_.symbols.end() || found->second.defined_in_pass != number_)
-      say(Severity::warning, each.at, "public symbol " + quoted(each.name) + " without a definition", "one in this source");
+      report(Severity::warning, each.at, "public symbol " + quoted(each.name) + " without a definition", "one in this source");
   }
 }
 
@@ -177,11 +177,11 @@ void I8080Pass::enter(std::string_view name, std::size_t at, I8080SymbolKind kin
   const std::optional<std::uint16_t> now =
       value.known ? std::optional(static_cast<std::uint16_t>(value.bits)) : std::nullopt;
   if (kind != I8080SymbolKind::set && number_ > 1 && entry.value != now) {
-    program_.values_moved = true;
-    if (now && entry.value && !said_phase_) {
+    program_.values_changed = true;
+    if (now && entry.value && !reported_phase_error_) {
       error(at, quoted(name) + " = " + hexadecimal(*now, 4),
             hexadecimal(*entry.value, 4) + " as in the pass before (phase error)");
-      said_phase_ = final_;
+      reported_phase_error_ = final_;
     }
   }
   if (!value.known) ++program_.unknown_equates;
@@ -197,21 +197,21 @@ void I8080Pass::enter(std::string_view name, std::size_t at, I8080SymbolKind kin
 
 void I8080Pass::emit(std::uint8_t byte) {
   if (location_ >= memory_end) {
-    if (!said_overflow_) error(0, "a byte past FFFF", "a program within 64K");
-    said_overflow_ = true;
+    if (!reported_overflow_) error(0, "a byte past FFFF", "a program within 64K");
+    reported_overflow_ = true;
     return;
   }
   const auto address = static_cast<std::uint16_t>(location_++);
   if (!final_) return;
-  if (program_.image.used(address) && !said_overlap_) {
+  if (program_.image.used(address) && !reported_overlap_) {
     warning(0, "a second byte for address " + hexadecimal(address, 4), "one");
-    said_overlap_ = true;
+    reported_overlap_ = true;
   }
   program_.image.put(address, byte);
   bytes_.push_back(byte);
 }
 
-// `frame` is the one the statement came from: it may have opened another.
+// `frame` is the frame of the statement, which may have pushed another.
 void I8080Pass::end_statement(I8080Frame& frame) {
   if (!final_ || !frame.row || (bytes_.empty() && (!shown_value_ || frame.row_filled))) return;
   std::size_t shown = 0;
@@ -275,14 +275,14 @@ Position I8080Pass::place(std::size_t at) const {
 }
 
 void I8080Pass::error(std::size_t at, std::string found, std::string expected) {
-  if (final_) say(Severity::error, place(at), std::move(found), std::move(expected));
+  if (final_) report(Severity::error, place(at), std::move(found), std::move(expected));
 }
 
 void I8080Pass::warning(std::size_t at, std::string found, std::string expected) {
-  if (final_) say(Severity::warning, place(at), std::move(found), std::move(expected));
+  if (final_) report(Severity::warning, place(at), std::move(found), std::move(expected));
 }
 
-// Inside an expansion the place is that of the macro's text; the place of the call follows.
+// Inside an expansion the position is in the macro's text, and the position of the call follows it.
 std::string I8080Pass::where_from() const {
   std::string text;
   std::size_t shown = 0;
@@ -295,7 +295,7 @@ std::string I8080Pass::where_from() const {
   return text.empty() ? text : text + ")";
 }
 
-void I8080Pass::say(Severity severity, const Position& at, std::string found, std::string expected) {
+void I8080Pass::report(Severity severity, const Position& at, std::string found, std::string expected) {
   if (!final_ || stopped_) return;
   const auto& name = program_.files[at.file].name;
   const bool is_error = severity == Severity::error;

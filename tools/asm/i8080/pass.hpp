@@ -1,6 +1,5 @@
-// One reading of all 8080 sources. Layout passes compute the value of every symbol; they are repeated while an
-// EQU with a forward reference changes a value. Then a last pass makes the bytes, and only that pass
-// reports diagnostics.
+// One pass over all 8080 sources. Layout passes compute the value of every symbol. They are repeated while an EQU with a
+// forward reference changes its value. A last pass then makes the bytes and reports diagnostics.
 #pragma once
 
 #include <cstdint>
@@ -31,40 +30,40 @@ struct I8080Entry {
   I8080SymbolKind kind = I8080SymbolKind::label;
   std::optional<std::uint16_t> value;  // nothing while unknown
   Position defined;
-  int defined_in_pass = 0;  // the last pass that met its definition
-  bool forward = false;     // its value rests on one that is defined further down
-  bool pattern = false;     // as of I8080Value
+  int defined_in_pass = 0;  // the last pass that read its definition
+  bool forward = false;     // its value depends on a symbol that is defined further down
+  bool pattern = false;     // as in I8080Value
   bool external = false;
 };
 
-// A source that has PUBLIC or EXTRN (also `name::` and `name##`) beside other sources: its names are its own but for these.
+// A source with PUBLIC or EXTRN (also `name::` and `name##`), assembled with others: only declared names are visible to them.
 struct I8080Module {
   bool declares = false;
   std::set<std::string> shared;  // folded
 };
 
-// What passes hand on to each other, and at the end the outcome.
+// State handed from pass to pass; at the end, the result.
 struct I8080Program {
   Vocabulary vocabulary;
-  std::unordered_map<std::string, I8080Entry> symbols;  // by folded name; of a module's own names as I8080Pass::scoped()
+  std::unordered_map<std::string, I8080Entry> symbols;  // by folded name; local names of a module by I8080Pass::scoped()
   std::vector<I8080Module> modules;                     // of the sources
-  bool modules_known = false;  // the first pass has found which there are; until then names are those of all sources
-  std::deque<SourceFile> files;                         // sources, then what was included
+  bool modules_known = false;  // set by the first pass, in which names are common to all sources
+  std::deque<SourceFile> files;                         // sources, then included files
   std::map<std::string, std::optional<std::size_t>>
-      included;                     // path -> its place in `files`; nothing: cannot be read
+      included;                     // path -> its index in `files`; nothing if it cannot be read
   std::size_t unknown_equates = 0;  // in the last pass
-  bool values_moved = false;        // in the last pass, against the one before
+  bool values_changed = false;        // in the last pass, compared with the pass before
   image::ByteImage image;
   std::vector<ListingLine> listing;
   std::vector<Diagnostic> diagnostics;
 };
 
-// A value of an expression; `known` is false while it rests on a symbol not met yet.
+// A value of an expression; `known` is false while it depends on an undefined symbol.
 struct I8080Value {
   std::uint32_t bits = 0;
   bool known = true;
-  bool forward = false;  // not the same at its place in every pass: unfit for ORG and others that need a value in pass 1
-  bool pattern = false;  // made by NOT: as a byte, FF above it is no overflow
+  bool forward = false;  // may differ between passes: unfit for ORG and others that need the value in pass 1
+  bool pattern = false;  // made by NOT: FF in the high byte is no overflow of a byte
 };
 
 class I8080Pass {
@@ -82,7 +81,7 @@ class I8080Pass {
     bool had_else = false;
     Position opened;
   };
-  // The statement's label and operation; `operands` is where the rest begins.
+  // The statement's label and operation; `operands` is where the operands begin.
   struct Head {
     std::string_view label;
     std::size_t label_at = 0;
@@ -100,7 +99,7 @@ class I8080Pass {
     std::vector<std::vector<std::string>> rows;
     std::size_t iterations = 0;
     Body body;
-    std::size_t depth = 1;   // of definitions inside it
+    std::size_t depth = 1;   // of nested definitions
     std::size_t frames = 0;  // open where it began
     Position opened;
   };
@@ -110,13 +109,13 @@ class I8080Pass {
   void end_of_frame();
   void count_lines(std::size_t more);
   void begin_row();
-  // `any_word`: also one that the language has, but not an operator before its operand.
+  // `any_word`: also a word of the language, but not a prefix operator.
   void enter(std::string_view name, std::size_t at, I8080SymbolKind kind, const I8080Value& value, bool any_word = false);
-  // Where a name of the source that is read is among the symbols.
+  // The key of a name of the current source in `symbols`.
   [[nodiscard]] std::string scoped(const std::string& name) const;
   void share(const std::string& name);
-  [[nodiscard]] std::string where_else(const std::string& name) const;
-  void doubt_publics();
+  [[nodiscard]] std::string suggest_declaration(const std::string& name) const;
+  void warn_about_undefined_publics();
   void emit(std::uint8_t byte);
   void end_statement(I8080Frame& frame);
 
@@ -125,7 +124,7 @@ class I8080Pass {
   void control_line();
   [[nodiscard]] bool is_control(std::string_view text) const;
   [[nodiscard]] bool in_comment();
-  void doubt_comment();
+  void warn_about_bang_in_comment();
   [[nodiscard]] std::optional<Head> head();
   [[nodiscard]] const Word* word(const std::string& name, WordKind kind) const;
   [[nodiscard]] bool is_operation(const std::string& name) const;
@@ -176,7 +175,7 @@ class I8080Pass {
   [[nodiscard]] std::optional<std::uint8_t> field(i8080::Operand operand);
   [[nodiscard]] std::optional<std::uint8_t> opcode_value(const Mnemonic& rows);
 
-  // Expressions (expression.cpp). The token read is the first one behind the expression.
+  // Expressions (expression.cpp). Afterwards token_ is the first token after the expression.
   [[nodiscard]] std::optional<I8080Value> expression();
   [[nodiscard]] std::optional<I8080Value> level(int precedence);
   [[nodiscard]] std::optional<I8080Value> prefix(Operator operation, int precedence);
@@ -187,8 +186,8 @@ class I8080Pass {
   [[nodiscard]] std::optional<I8080Value> combine(Operator operation, const I8080Value& a,
                                                   const I8080Value& b, std::size_t at);
   [[nodiscard]] std::optional<Operator> operation_of_token() const;
-  // One that has to be the same in every pass.
-  [[nodiscard]] std::optional<std::uint16_t> settled(std::string_view what);
+  // An expression whose value must be the same in every pass.
+  [[nodiscard]] std::optional<std::uint16_t> constant_value(std::string_view what);
   [[nodiscard]] std::optional<std::uint8_t> byte_of(const I8080Value& value, std::size_t at);
 
   // Tokens and messages (pass.cpp)
@@ -202,7 +201,7 @@ class I8080Pass {
   [[nodiscard]] Position place(std::size_t at) const;
   void error(std::size_t at, std::string found, std::string expected);
   void warning(std::size_t at, std::string found, std::string expected);
-  void say(Severity severity, const Position& at, std::string found, std::string expected);
+  void report(Severity severity, const Position& at, std::string found, std::string expected);
   [[nodiscard]] std::string where_from() const;
 
   const I8080Options& options_;
@@ -219,16 +218,17 @@ class I8080Pass {
   I8080Token token_;
   std::uint32_t location_ = 0;
   std::uint32_t statement_location_ = 0;
-  std::uint32_t phase_ = 0;  // added to them where they are values
-  bool behind_operator_ = false;  // the next operand of an expression follows one
+  std::uint32_t phase_ = 0;  // .PHASE: added to locations used as values
+  bool after_operator_ = false;  // the next operand of an expression follows an operator
   unsigned radix_ = 10;
-  std::optional<char> comment_end_;  // of .COMMENT, whose end is to come
+  std::optional<char> comment_end_;  // the character that ends .COMMENT, while one is open
   Position comment_begun_;
-  // Each segment has a location of its own from its first ORG on; until then it shares that of the segment before which it was entered.
+  // A segment has a location of its own from its first ORG on; until then it shares that of the segment before which it was
+  // entered.
   std::string segment_ = "cseg";
   std::map<std::string, std::size_t> counter_of_{{"cseg", 0}};
-  std::vector<std::uint32_t> counters_{0};  // of those that are not current: where they go on
-  // COMMON blocks: where each begins and how long the longest is; the one that is open, and where the program goes on behind it.
+  std::vector<std::uint32_t> counters_{0};  // of segments that are not current: where they continue
+  // COMMON blocks: where each begins and how long the longest is; the open block, and where the program continues after it.
   struct Block {
     std::uint32_t begins = 0;
     std::uint32_t size = 0;
@@ -239,13 +239,13 @@ class I8080Pass {
   std::optional<std::uint32_t> behind_block_;
   std::vector<std::uint8_t> bytes_;           // of this statement
   std::optional<std::uint32_t> shown_value_;  // of a statement without bytes, for the listing
-  bool shown_equated_ = false;                // ... by EQU or SET
-  bool said_phase_ = false;                   // the first is the cause of all others
-  bool said_overflow_ = false;                // since the last ORG
-  bool said_overlap_ = false;                 // in this statement
+  bool shown_equated_ = false;                // shown_value_ is from EQU or SET
+  bool reported_phase_error_ = false;                   // only the first is reported, as it causes the others
+  bool reported_overflow_ = false;                // since the last ORG
+  bool reported_overlap_ = false;                 // in this statement
   std::size_t errors_ = 0;
   std::size_t warnings_ = 0;
-  std::size_t source_ = 0;  // that is read, with what it includes
+  std::size_t source_ = 0;  // the source being read, with its included files
   struct Public {
     std::string name;  // folded
     Position at;

@@ -1,6 +1,5 @@
-// A statement taken apart into label, operation and operands, and given to whom it concerns: a directive, a
-// macro, an instruction. What stands first may be a label without a colon; the languages differ in how one
-// tells.
+// Splits a statement into label, operation and operands and executes it as a directive, a macro call or an instruction. The
+// first word may be a label without a colon; the languages differ in how to tell.
 #include <algorithm>
 #include <string>
 
@@ -13,9 +12,9 @@ void I8080Pass::statement() {
   statement_location_ = location_;
   bytes_.clear();
   shown_value_.reset();
-  shown_equated_ = said_overlap_ = false;
+  shown_equated_ = reported_overlap_ = false;
   if (comment_end_ && in_comment()) return;
-  if (rules_.dialect == I8080Dialect::common) doubt_comment();
+  if (rules_.dialect == I8080Dialect::common) warn_about_bang_in_comment();
   if (definition_) return collect();
   if (statement_.begins_line && statement_.text.starts_with('$') && is_control(statement_.text)) return control_line();
   const auto parsed = head();
@@ -34,7 +33,7 @@ const Word* I8080Pass::word(const std::string& name, WordKind kind) const {
   return found != nullptr && found->kind == kind ? found : nullptr;
 }
 
-// `$` in column 1 begins a control of the listing. Where it may begin a name, only those that MACRO-80 has are controls.
+// `$` in column 1 begins a listing control. Where `$` may begin a name, only the controls that MACRO-80 has are controls.
 bool I8080Pass::is_control(std::string_view text) const {
   if (!rules_.dollar_in_names) return true;
   const std::size_t from = skip_blanks(text, 1);
@@ -49,8 +48,8 @@ bool I8080Pass::in_comment() {
   return true;
 }
 
-// `!` in a comment before what could be a statement.
-void I8080Pass::doubt_comment() {
+// Warns of `!` in a comment before a possible statement.
+void I8080Pass::warn_about_bang_in_comment() {
   if (!final_ || statement_.text.find('!') == std::string_view::npos) return;
   const std::string_view text = statement_.text;
   for (std::size_t at = text.find('!', start_of_comment(text, 0)); at != std::string_view::npos; at = text.find('!', at + 1)) {
@@ -60,11 +59,11 @@ void I8080Pass::doubt_comment() {
     const bool label = end < text.size() && text[end] == ':';
     if (!label && !is_operation(folded(text.substr(from, end - from)))) continue;
     return warning(at, "'!' in a comment before " + quoted(text.substr(from, end - from)),
-                   "--dialect, because with mac a statement begins there");
+                   "--dialect: mac begins a statement there");
   }
 }
 
-// Of Intel's controls only INCLUDE bears on the program: to skip it with the others would lose the file.
+// Of Intel's controls only INCLUDE affects the program: ignoring it with the others would lose the file.
 void I8080Pass::control_line() {
   if (!active()) return;
   const std::string_view text = statement_.text.substr(0, start_of_comment(statement_.text, 0));
@@ -82,8 +81,7 @@ void I8080Pass::control_line() {
   }
 }
 
-// Nothing for an empty statement, a comment, and the control lines of Intel's and Digital Research's
-// assemblers.
+// Nothing for an empty statement, a comment, and the control lines of Intel's and Digital Research's assemblers.
 std::optional<I8080Pass::Head> I8080Pass::head() {
   const std::string_view text = statement_.text;
   if (statement_.begins_line && !text.empty() && (text[0] == '*' || (text[0] == '$' && is_control(text))))
@@ -139,7 +137,7 @@ bool I8080Pass::is_operation(const std::string& name) const {
          word(name, WordKind::directive) != nullptr;
 }
 
-// CP/M's ASM does not know the directives that change nothing here: ENTRY LXI H,0 has a label.
+// CP/M's ASM does not know the directives that have no effect here: in ENTRY LXI H,0 the first word is a label.
 bool I8080Pass::is_label_before(const Word* first, const std::string& second) const {
   if (first == nullptr || (first->directive != Directive::ignored && first->directive != Directive::title &&
                            first->directive != Directive::public_))

@@ -9,7 +9,7 @@ namespace {
 using D = Directive;
 using O = Operator;
 
-// Intel's names, then those of CP/M MAC and MACRO-80 for the same.
+// Intel's names, then CP/M MAC's and MACRO-80's names for the same.
 constexpr std::array directives{
     std::pair{"org", D::org},
     std::pair{"equ", D::equ},

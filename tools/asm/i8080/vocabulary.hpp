@@ -1,5 +1,4 @@
-// The words an 8080 source cannot use as names: mnemonics (of the instruction table), directives, operators,
-// registers.
+// The words that an 8080 source cannot use as names: mnemonics (of the instruction table), directives, operators, registers.
 #pragma once
 
 #include <cstdint>
@@ -46,14 +45,14 @@ enum class Directive : std::uint8_t {
   public_,
   cpu,
   z80,
-  title,    // TITLE and SUBTTL: what follows is text, whatever it looks like; nothing to do either
+  title,    // TITLE and SUBTTL: the operand is any text; no effect
   radix,
   phase,
   dephase,
   comment,
   common,
-  segment,  // ASEG CSEG DSEG: one location for all, but a COMMON block ends
-  ignored,  // listing controls, NAME: nothing to do in one absolute program
+  segment,  // ASEG CSEG DSEG: one location for all, but they end a COMMON block
+  ignored,  // listing controls, NAME: no effect in one absolute program
 };
 
 enum class Operator : std::uint8_t {
@@ -79,8 +78,7 @@ enum class Operator : std::uint8_t {
   nul,
 };
 
-// The rows of the instruction table with the same mnemonic: they differ in which operands are registers and
-// which M.
+// The rows of the instruction table with the same mnemonic: they differ in which operands are registers and which are M.
 using Mnemonic = std::vector<const i8080::Instruction*>;
 
 enum class WordKind : std::uint8_t { mnemonic, directive, operation, register_name };
@@ -96,7 +94,7 @@ struct Word {
 class Vocabulary {
  public:
   Vocabulary();
-  // By folded name; nullptr if the word is free.
+  // By folded name; nullptr if the word is not reserved.
   [[nodiscard]] const Word* find(const std::string& name) const;
 
  private:

@@ -68,14 +68,14 @@ std::string_view BellPass::take_name() {
   return text_.substr(start, at_ - start);
 }
 
-// What stands here, as a message shows it; with the dialect to which it belongs, if that is DEC's.
+// What the message shows as found here; names --dialect dec if the construct belongs to it.
 std::string BellPass::found() const {
   if (at_ >= text_.size()) return "the end of the file";
   const char c = text_[at_];
   if (c == '\n' || c == ';' || c == '"') return "the end of the statement";
   const std::string shown = describe({TokenKind::bad, text_.substr(at_, 1), position(), false});
   switch (c) {
-    case ',': return shown + ", which is behind a tag in --dialect dec";
+    case ',': return shown + ", which ends a tag in --dialect dec";
     case '/': return shown + ", an origin or a comment of --dialect dec";
     case '(':
     case ')': return shown + ", a literal of --dialect dec";
@@ -155,7 +155,7 @@ bool BellPass::label_or_assignment() {
 void BellPass::define_label(std::string_view name, const Position& at) {
   if (name == location_name || name == base_name) {
     return error(at, "label '" + std::string(name) + "'",
-                 "a name of its own; '" + std::string(name) + " =' sets it");
+                 "another name; '" + std::string(name) + " =' sets it");
   }
   base_used_ = true;
   Symbol& symbol = look_up(name, at);
@@ -165,12 +165,12 @@ void BellPass::define_label(std::string_view name, const Position& at) {
     const std::string where = symbol.defined.line == 0 ? "the command line"
                                                        : sources_[symbol.defined.file].name + ":" +
                                                              std::to_string(symbol.defined.line);
-    return error(at, "label " + shown_name(name) + ", already defined at " + where, "a name of its own");
+    return error(at, "label " + shown_name(name) + ", already defined at " + where, "another name");
   }
   if (symbol.kind == SymbolKind::permanent) symbol.was_permanent = true;
   if (symbol.was_permanent) {
     warning(at, "label " + shown_name(name) + ", which hides the instruction of this name",
-            "a name of its own");
+            "another name");
   }
   if (final_ && symbol.value != location_.value) {
     error(at, "label " + shown_name(name) + " at another location than in the pass before",
@@ -196,21 +196,21 @@ void BellPass::assign(std::string_view name, const Position& at) {
   const Position place = position();
   const auto read = expression();
   in_location_ = false;
-  const auto value = read ? checked(*read, place) : read;
+  const auto value = read ? check_relocation(*read, place) : read;
   if (!value) return skip_statement();
   if (name == location_name) return set_location(*value, place);
   if (name == base_name) return set_base(*value, place);
   Symbol& symbol = look_up(name, at);
   if (symbol.kind == SymbolKind::define) return;
   if (symbol.kind == SymbolKind::tag) {
-    return error(at, "an assignment to " + shown_name(name) + ", which is a label", "a name of its own");
+    return error(at, "an assignment to " + shown_name(name) + ", which is a label", "another name");
   }
   const int form = value->relocatable != 0 ? relocatable_form : 0;
   const bool same = symbol.kind == SymbolKind::permanent && symbol.value == value->value && form == 0;
   if (symbol.kind == SymbolKind::permanent && !same && value->known) symbol.was_permanent = true;
   if (symbol.was_permanent) {
     warning(at, "an assignment to " + shown_name(name) + ", which changes the instruction of this name",
-            "a name of its own");
+            "another name");
   }
   const bool first = symbol.defined_in_pass != number_;
   if (!first && value->known && symbol.value && symbol.value != value->value) symbol.several_values = true;
@@ -218,7 +218,7 @@ void BellPass::assign(std::string_view name, const Position& at) {
     error(at, shown_name(name) + " with another value than in the pass before",
           "a definition that does not depend on itself");
   }
-  // A source that repeats the machine's own value leaves it the name of an instruction.
+  // A source may define an instruction again with the same value; it stays an instruction.
   const bool known_instruction = same || (symbol.form != 0 && symbol.form != relocatable_form &&
                                           !symbol.was_permanent && symbol.value == value->value);
   if (first) symbol.defined = at;
@@ -253,7 +253,7 @@ void BellPass::make_word() {
   base_used_ = true;
   instruction_.reset();
   const auto read = expression();
-  const auto value = read ? checked(*read, at) : read;
+  const auto value = read ? check_relocation(*read, at) : read;
   if (!value) skip_statement();
   std::uint32_t word = value && value->known ? relocated(*value) : 0;
   if (value && value->known && instruction_) {
@@ -284,7 +284,7 @@ void BellPass::emit(std::uint32_t word, const Position& at) {
       warning(at,
               "a second word at " + base::octal(address, 6) + ", which replaces that of " +
                   sources_[first.file].name + ":" + std::to_string(first.line),
-              "one word a location");
+              "one word per location");
     }
     program_.words.push_back({at, address, word, {}});
   }
@@ -306,18 +306,18 @@ Symbol& BellPass::look_up(std::string_view name, const Position& at) {
   return symbol;
 }
 
-void BellPass::say(Severity severity, const Position& at, std::string found, std::string expected) {
+void BellPass::report(Severity severity, const Position& at, std::string found, std::string expected) {
   if (!final_) return;
   program_.diagnostics.emplace_back(at, Diagnostic{severity, sources_[at.file].name, at.line, at.column,
                                                    std::move(found), std::move(expected)});
 }
 
 void BellPass::error(const Position& at, std::string found, std::string expected) {
-  say(Severity::error, at, std::move(found), std::move(expected));
+  report(Severity::error, at, std::move(found), std::move(expected));
 }
 
 void BellPass::warning(const Position& at, std::string found, std::string expected) {
-  say(Severity::warning, at, std::move(found), std::move(expected));
+  report(Severity::warning, at, std::move(found), std::move(expected));
 }
 
 }  // namespace sightline::assembler

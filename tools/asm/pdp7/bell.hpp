@@ -1,25 +1,23 @@
-// The dialect of Bell Laboratories' assembler `as` of 1970, one reading of all sources (see pdp7/pass.hpp for
-// what the passes do).
+// The dialect of Bell Laboratories' assembler `as` of 1970: one pass over all sources (pdp7/pass.hpp describes the
+// passes).
 //
 //   label:   1: jmp 1b; jmp 2f     name = expression     . = . + 10      " comment to the end of the line
 //   lac x    dac x i    dac i 8    spa cla    -1    sys open; name; 0    <ab>    <a 012    a>
 //
 // Source: as.s, the assembler's own source (pdp7-unix, scans/as.s); the names in parentheses are its labels.
-// - The classes of characters (lactab): letters, `.` and `*` begin a name, digits may follow; eight
-// characters count
+// - The classes of characters (lactab): letters, `.` and `*` begin a name, digits may follow; eight characters count
 //   (gs2), and `a` is not `A`. `;` and the end of the line end a statement, `"` begins a comment (gchar).
 // - Numbers are decimal, octal with a leading 0 (gs3). All arithmetic is two's complement in 18 bits (oper).
-// - Blank is OR. `+` and `-` bind more closely, and blanks beside them count for nothing (gpair, expr).
+// - Blank is OR. `+` and `-` bind more tightly, and blanks next to them have no effect (gpair, expr).
 // - `<a` is a character in the left half of a word, `a>` in the right half, so `<ab>` both (lqot, rqot).
-// - `1:` can be defined often: 1b is the last definition before, 1f the next one behind; ten of them, 0 to 9
-// (assm3, gs3).
-// - `.` and labels are relocatable: the value of `..`, 4096 unless the source sets it, is added to a word
-// with one of
+// - `1:` can be defined often: 1b is the last definition before, 1f the next one after; there are ten, 0 to 9
+//   (assm3, gs3).
+// - `.` and labels are relocatable: the value of `..`, 4096 unless the source sets it, is added to a word with one of
 //   them (process). The difference of two is a number.
 // - The last location is 017777 (assm2).
-// The sources of 1970 define the names of instructions themselves (the file sop.s). Here those of the
-// instruction table are known, and `sys`, which is `cal i`; a source may define them again. The names of
-// system calls are its own.
+// The sources of 1970 define the names of instructions themselves (the file sop.s). Here the names of the instruction
+// table are defined, and `sys`, which is `cal i`; a source may define them again. It must define the names of system
+// calls.
 //
 // Stricter than as.s, where that would make other words without a message: a name with two places, an operand
 // that changes the instruction, a number above 18 bits, 8 and 9 in an octal number, two operators in
@@ -40,17 +38,17 @@
 namespace sightline::assembler {
 
 inline constexpr std::uint32_t first_bell_base = 4096;  // `..` unless the source sets it (init, d4096)
-// What a Symbol of the dialect has as its form, and what a relative label has beside its location, if `..` is
-// to be added.
+// Symbol::form of a relocatable symbol of this dialect, and the mark of a relocatable value of a relative label: `..` is
+// added to both.
 inline constexpr int relocatable_form = 100;
 inline constexpr std::uint32_t relocatable_label = 01000000;
 
 [[nodiscard]] bool bell_letter(char c);
 
-// A name as a message shows it, the first 40 characters.
+// A name in quotes as a message shows it: the first 40 characters.
 [[nodiscard]] std::string shown_name(std::string_view name);
 
-// Puts the names that the dialect has beside those of the machine into the table.
+// Enters the names that the dialect defines besides the machine's.
 void enter_bell_symbols(SymbolTable& symbols);
 
 // Adds the value of `..` to the relocatable symbols, after the last pass.
@@ -65,11 +63,11 @@ class BellPass {
  private:
   struct Number {
     std::uint32_t value = 0;
-    int relocatable = 0;  // 1: the value of `..` is to be added; another number than 0 and 1 cannot be
+    int relocatable = 0;  // 1: the value of `..` is added; other values than 0 and 1 are errors
     bool known = true;
   };
 
-  // Characters. `peek` is '\0' at the end of the file, and a comment is skipped like one.
+  // Characters. `peek` is '\0' at the end of the file. A comment is skipped like the end of its line.
   [[nodiscard]] char peek(std::size_t ahead = 0) const;
   [[nodiscard]] Position position() const { return {file_, line_, at_ - line_start_ + 1}; }
   [[nodiscard]] bool at_end_of_statement() const;
@@ -90,7 +88,7 @@ class BellPass {
   void set_base(const Number& value, const Position& at);
   void make_word();
 
-  // Expressions. Nothing after an error, which is reported.
+  // Expressions. Each returns nothing after an error, which it has reported.
   [[nodiscard]] std::optional<Number> expression();
   [[nodiscard]] std::optional<Number> sum();
   [[nodiscard]] std::optional<Number> operand();
@@ -98,7 +96,7 @@ class BellPass {
   [[nodiscard]] std::optional<Number> character();
   [[nodiscard]] std::optional<Number> relative_label(const Position& at, std::size_t digit, bool forward);
   [[nodiscard]] std::optional<Number> symbol(std::string_view name, const Position& at);
-  [[nodiscard]] std::optional<Number> checked(Number value, const Position& at);
+  [[nodiscard]] std::optional<Number> check_relocation(Number value, const Position& at);
   void undefined(std::string_view name, const Position& at);
 
   [[nodiscard]] std::uint32_t relocated(const Number& value) const;
@@ -107,7 +105,7 @@ class BellPass {
   Symbol& look_up(std::string_view name, const Position& at);
   void error(const Position& at, std::string found, std::string expected);
   void warning(const Position& at, std::string found, std::string expected);
-  void say(Severity severity, const Position& at, std::string found, std::string expected);
+  void report(Severity severity, const Position& at, std::string found, std::string expected);
 
   std::span<const SourceFile> sources_;
   Pdp7Program& program_;
@@ -119,9 +117,9 @@ class BellPass {
   std::size_t line_ = 1;
   std::size_t line_start_ = 0;
   Number location_{0, 1, true};
-  bool base_used_ = false;                    // by a word or a label: it cannot change any more
-  bool character_before_ = false;             // the operand just read was <a
-  bool in_location_ = false;                  // reading what `.` or `..` is set to
+  bool base_used_ = false;                    // a word or a label used `..`, which must not change any more
+  bool after_left_character_ = false;             // the operand just read was <a
+  bool in_location_ = false;                  // reading the new value of `.` or `..`
   std::optional<std::uint32_t> instruction_;  // the first name of a word, if it is one of the machine
   std::array<std::vector<std::uint32_t>, 10> relative_;  // definitions in this pass
   std::map<std::uint32_t, Position> occupied_;

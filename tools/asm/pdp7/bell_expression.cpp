@@ -27,7 +27,7 @@ std::string shown_name(std::string_view name) {
   return "'" + std::string(name.substr(0, most)) + (name.size() > most ? "...'" : "'");
 }
 
-// Letters in the sense of as.s (lactab, class 6).
+// A letter by the character classes of as.s (lactab, class 6).
 bool bell_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.' || c == '*';
 }
@@ -38,7 +38,7 @@ std::optional<BellPass::Number> BellPass::expression() {
   for (skip_blanks(); left && !at_end_of_statement(); skip_blanks()) {
     const char before = text_[at_ - 1];
     const bool separated = before == ' ' || before == '\t' || before == '\r' || before == '\f';
-    if (!separated && !character_before_) return left;
+    if (!separated && !after_left_character_) return left;
     const std::optional<Number> right = sum();
     if (!right) return std::nullopt;
     left = Number{left->value | right->value, left->relocatable + right->relocatable,
@@ -80,7 +80,7 @@ std::optional<BellPass::Number> BellPass::sum() {
 }
 
 std::optional<BellPass::Number> BellPass::operand() {
-  character_before_ = false;
+  after_left_character_ = false;
   const Position at = position();
   if (at_end_of_statement()) {
     error(at, found(), std::string(an_operand));
@@ -102,13 +102,13 @@ std::optional<BellPass::Number> BellPass::character() {
   const char c = left || behind ? peek(1) : peek();
   if (!seven_bits(c) || (left && c == '"')) {
     error(at,
-          "no character " + std::string(left || behind ? "behind '" : "before '") + (left ? '<' : '>') + "'",
+          "no character " + std::string(left || behind ? "after '" : "before '") + (left ? '<' : '>') + "'",
           c == '"' ? "another than '\"', which begins a comment; its code is 042"
                    : "one of ASCII, blank to '~', or its code as a number");
     return std::nullopt;
   }
   advance(2);
-  character_before_ = left;  // what follows <a needs no blank before it
+  after_left_character_ = left;  // an operand after <a needs no blank before it
   return Number{left ? code_of(c) << left_half : code_of(c), 0, true};
 }
 
@@ -145,7 +145,7 @@ std::optional<BellPass::Number> BellPass::number() {
   return Number{n, 0, true};
 }
 
-// A forward one is taken from the pass before: the definition behind as many as this pass has met.
+// A forward reference takes its value from the pass before: the next definition after those that this pass has read.
 std::optional<BellPass::Number> BellPass::relative_label(const Position& at, std::size_t digit,
                                                          bool forward) {
   const auto& met = relative_[digit];
@@ -156,7 +156,7 @@ std::optional<BellPass::Number> BellPass::relative_label(const Position& at, std
     if (in_location_) {
       error(at, "'" + name + "f' in a location", "a label that is defined before");
     } else {
-      error(at, "'" + name + "f' without a label " + name + ": behind it", "the label, or " + name + "b");
+      error(at, "'" + name + "f' without a label " + name + ": after it", "the label, or " + name + "b");
     }
     return Number{0, 0, false};
   }
@@ -195,10 +195,10 @@ std::optional<BellPass::Number> BellPass::symbol(std::string_view name, const Po
   return Number{*found.value, found.form == relocatable_form ? 1 : 0, true};
 }
 
-// With what the writer may have meant: another dialect's word, or another case.
+// The message suggests what the writer may have meant: a word of the other dialect, or the other case.
 void BellPass::undefined(std::string_view name, const Position& at) {
   const std::string shown = shown_name(name);
-  if (peek() == ',') return error(at, shown + ", a tag of --dialect dec", "a label, with ':' behind the name");
+  if (peek() == ',') return error(at, shown + ", a tag of --dialect dec", "a label, with ':' after the name");
   const std::string lower = lower_case(name);
   const Symbol* const small = lower == name ? nullptr : program_.symbols.find(lower);
   if (small != nullptr && small->kind == SymbolKind::permanent) {
@@ -210,7 +210,7 @@ void BellPass::undefined(std::string_view name, const Position& at) {
   error(at, "undefined name " + shown, "a label or an assignment in one of the sources");
 }
 
-std::optional<BellPass::Number> BellPass::checked(Number value, const Position& at) {
+std::optional<BellPass::Number> BellPass::check_relocation(Number value, const Position& at) {
   if (!value.known || value.relocatable == 0 || value.relocatable == 1) return value;
   error(at, value.relocatable < 0 ? "a number minus a location" : "the sum of two locations",
         "at most one location that is added, or the difference of two");

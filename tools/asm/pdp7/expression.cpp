@@ -7,10 +7,10 @@
 namespace sightline::assembler {
 namespace {
 
-constexpr int deepest_literal = 16;  // a literal in a literal in ...: more is a source gone wrong
+constexpr int deepest_literal = 16;  // literals inside literals; deeper nesting is an error in the source
 constexpr std::string_view a_term = "a number, a name, '.' or '('";
 
-// The dialect to which an undefined name belongs, as far as one can tell.
+// The dialect that an undefined name suggests, as text for the message.
 std::string dialect_of(std::string_view name) {
   const std::string lower = lower_case(name.substr(0, 6));
   if (lower == "sys") return ", a system call of --dialect bell";
@@ -125,7 +125,7 @@ std::optional<Value> Pdp7Pass::symbol() {
   if (marked) mark_variable(found, name);
   if (found.kind == SymbolKind::undefined) {
     const bool external = program_.externals.contains(program_.symbols.key(name.text)) && !is_own(name.text);
-    if (!options_.undefined_are_variables && !external) {  // an external one is reported where it is declared
+    if (!options_.undefined_are_variables && !external) {  // an undeclared external is reported at its declaration
       error(name.at, "undefined symbol " + describe(name) + dialect_of(name.text),
             "a tag, an assignment, or #" + std::string(name.text));
     }
@@ -155,7 +155,7 @@ void Pdp7Pass::mark_variable(Symbol& symbol, const Token& at) {
   }
   if (symbol.kind != SymbolKind::variable) {
     error(at.at, "'#' at symbol " + describe(at) + ", which is defined otherwise",
-          "a name of its own for a variable");
+          "another name for the variable");
     return;
   }
   const std::string key = is_own(at.text) ? program_.symbols.own_key(at.text, source_) : program_.symbols.key(at.text);
@@ -175,7 +175,7 @@ std::optional<Value> Pdp7Pass::literal() {
   --nesting_;
   if (!content) return std::nullopt;
   if (token_.kind == TokenKind::close) advance();
-  const std::uint32_t index = literal_index(finished(*content, inside), content->known);
+  const std::uint32_t index = literal_index(word_of(*content, inside), content->known);
   if (pools_placed_ >= program_.pool_bases.size()) return Value::unknown();
   return Value::number((program_.pool_bases[pools_placed_] + index) & image::last_address);
 }
@@ -190,7 +190,7 @@ std::uint32_t Pdp7Pass::literal_index(std::uint32_t word, bool known) {
   return next;
 }
 
-std::uint32_t Pdp7Pass::finished(const Value& value, const Position& at) {
+std::uint32_t Pdp7Pass::word_of(const Value& value, const Position& at) {
   std::vector<Remark> remarks;
   const std::uint32_t word = arithmetic_.word(value, location_, remarks);
   remark(at, remarks);
@@ -200,7 +200,7 @@ std::uint32_t Pdp7Pass::finished(const Value& value, const Position& at) {
 std::optional<std::uint32_t> Pdp7Pass::address_of(const Value& value, const Position& at,
                                                   std::string_view what, const char* hint) {
   if (!value.known) return std::nullopt;
-  const std::uint32_t address = finished(value, at);
+  const std::uint32_t address = word_of(value, at);
   if (address <= image::last_address) return address;
   error(at, std::string(what) + " " + base::octal(address, 6),
         std::string("an address from 00000 to 77777") + hint);

@@ -41,7 +41,7 @@ void Pdp7Pass::run() {
     read_file(i);
     end = token_.at;
   }
-  if (final_) refuse_undefined_declarations();
+  if (final_) report_undefined_declarations();
   if (options_.undefined_are_variables) {
     for (auto& [key, symbol] : program_.symbols) {
       if (program_.externals.contains(key)) continue;
@@ -85,7 +85,7 @@ void Pdp7Pass::skip_statement() {
   while (!at_end_of_statement()) advance();
 }
 
-// What may stand between statements: an end of line, `;`, or `>` of an open conditional.
+// Statements are separated by the end of a line, `;`, or the `>` of an open conditional.
 void Pdp7Pass::end_statement() {
   if (!at_end_of_statement()) {
     error(token_.at, found_here(), "an operator or the end of the statement");
@@ -125,7 +125,7 @@ void Pdp7Pass::statement() {
     }
     const std::optional<Value> value = expression();
     if (token_.kind != TokenKind::origin) {
-      emit(value ? finished(*value, at) : 0, at);
+      emit(value ? word_of(*value, at) : 0, at);
       if (!value) skip_statement();
       return;
     }
@@ -133,7 +133,7 @@ void Pdp7Pass::statement() {
       const auto address = address_of(*value, at, "a '/' straight after the word",
                                       " (a comment needs a blank before its '/')");
       location_ = address.value_or(location_);
-      if (value->known && !address) lexer_.skip_line();  // it was meant as a comment
+      if (value->known && !address) lexer_.skip_line();  // the `/` was meant to begin a comment
       location_by_origin_ = true;
     }
     advance();
@@ -145,14 +145,14 @@ void Pdp7Pass::define_tag(Token name, std::uint32_t value, int form) {
   const bool again =
       symbol.kind == SymbolKind::tag && (symbol.defined != name.at || symbol.defined_in_pass == number_);
   if (symbol.kind == SymbolKind::permanent) {
-    error(name.at, "permanent symbol " + describe(name) + " as a tag", "a name of its own");
+    error(name.at, "permanent symbol " + describe(name) + " as a tag", "another name");
     return;
   }
   if (again || (symbol.kind != SymbolKind::undefined && symbol.kind != SymbolKind::tag)) {
     const std::string where = symbol.defined.line == 0 ? "the command line"
                                                        : sources_[symbol.defined.file].name + ":" +
                                                              std::to_string(symbol.defined.line);
-    error(name.at, "symbol " + describe(name) + ", already defined at " + where, "a name of its own");
+    error(name.at, "symbol " + describe(name) + ", already defined at " + where, "another name");
     return;
   }
   if (final_ && symbol.value != value) {
@@ -181,11 +181,11 @@ bool Pdp7Pass::assign(Token name) {
     std::vector<Remark> remarks;
     Value here = arithmetic_.combine(*value, Value::number(location_), remarks);
     remark(at, remarks);
-    define_tag(name, finished(here, at), static_cast<int>(here.form));
+    define_tag(name, word_of(here, at), static_cast<int>(here.form));
     advance();
     return true;
   }
-  const std::uint32_t word = finished(*value, at);
+  const std::uint32_t word = word_of(*value, at);
   const bool names_microinstruction = value->bare_number && form_of_instruction(word) == Form::micro;
   const Form form = names_microinstruction ? Form::micro : value->form;
   Symbol& symbol = look_up(name);
@@ -194,12 +194,12 @@ bool Pdp7Pass::assign(Token name) {
     error(name.at,
           "an assignment to " + describe(name) + ", which is a " +
               (symbol.kind == SymbolKind::tag ? "tag" : "variable"),
-          "a name of its own");
+          "another name");
     return false;
   }
   if (symbol.kind == SymbolKind::permanent && symbol.value != word) symbol.was_permanent = true;
   if (symbol.was_permanent) {
-    warning(name.at, "an assignment to permanent symbol " + describe(name), "a name of its own");
+    warning(name.at, "an assignment to permanent symbol " + describe(name), "another name");
   }
   const bool first_in_pass = symbol.defined_in_pass != number_;
   if (!first_in_pass && value->known && symbol.value && symbol.value != word) symbol.several_values = true;
@@ -215,7 +215,7 @@ bool Pdp7Pass::assign(Token name) {
   return false;
 }
 
-void Pdp7Pass::emit(std::uint32_t word, const Position& at, std::string stands_for) {
+void Pdp7Pass::emit(std::uint32_t word, const Position& at, std::string generated_source) {
   if (location_ > image::last_address) {
     if (location_ == image::last_address + 1)
       error(at, "a word after address 77777", "the end of the program");
@@ -234,9 +234,9 @@ void Pdp7Pass::emit(std::uint32_t word, const Position& at, std::string stands_f
       warning(at,
               "a second word at " + base::octal(location_, 5) + ", which replaces that of " +
                   sources_[first.file].name + ":" + std::to_string(first.line),
-              "one word an address");
+              "one word per address");
     }
-    program_.words.push_back({at, location_, word, std::move(stands_for)});
+    program_.words.push_back({at, location_, word, std::move(generated_source)});
   }
   ++location_;
 }
@@ -270,7 +270,7 @@ std::string Pdp7Pass::found_here() const {
   return shown;
 }
 
-// Names of the machine and of -D are those of all sources.
+// Symbols of the machine and of -D are common to all sources.
 bool Pdp7Pass::is_own(std::string_view name) {
   if (!program_.modules_known || !program_.modules[source_].declares) return false;
   if (program_.modules[source_].shared.contains(program_.symbols.key(name))) return false;
@@ -289,22 +289,22 @@ Symbol& Pdp7Pass::look_up(const Token& name) {
   return symbol;
 }
 
-void Pdp7Pass::say(Severity severity, const Position& at, std::string found, std::string expected) {
+void Pdp7Pass::report(Severity severity, const Position& at, std::string found, std::string expected) {
   if (!final_) return;
   program_.diagnostics.emplace_back(at, Diagnostic{severity, sources_[at.file].name, at.line, at.column,
                                                    std::move(found), std::move(expected)});
 }
 
 void Pdp7Pass::error(const Position& at, std::string found, std::string expected) {
-  say(Severity::error, at, std::move(found), std::move(expected));
+  report(Severity::error, at, std::move(found), std::move(expected));
 }
 
 void Pdp7Pass::warning(const Position& at, std::string found, std::string expected) {
-  say(Severity::warning, at, std::move(found), std::move(expected));
+  report(Severity::warning, at, std::move(found), std::move(expected));
 }
 
 void Pdp7Pass::remark(const Position& at, std::span<const Remark> remarks) {
-  for (const Remark& r : remarks) say(r.severity, at, r.found, r.expected);
+  for (const Remark& r : remarks) report(r.severity, at, r.found, r.expected);
 }
 
 }  // namespace sightline::assembler

@@ -1,6 +1,6 @@
-// One reading of all sources. Layout passes compute every symbol and the number of literals in each pool; they
-// are repeated until nothing changes (a forward reference inside a literal needs a third one), then one more pass makes
-// the words. Only that last pass reports diagnostics, so that none is reported twice.
+// One pass over all sources. Layout passes compute every symbol and the number of literals in each pool. They are
+// repeated until nothing changes (a forward reference inside a literal needs a third pass). One more pass then makes the
+// words and reports diagnostics, so that each is reported once.
 #pragma once
 
 #include <array>
@@ -26,27 +26,27 @@ struct EmittedWord {
   Position at;
   std::uint32_t address = 0;
   std::uint32_t word = 0;
-  std::string stands_for;  // of a literal or variable; empty for a word of the source
+  std::string generated_source;  // the source of a literal or variable; empty for a word of the source
 };
 
-// What passes hand on to each other, and at the end the outcome.
+// State handed from pass to pass; at the end, the result.
 struct Pdp7Program {
   SymbolTable symbols{6};
-  std::vector<std::uint32_t> pool_bases;  // address of each literal pool, in the order of their placing
+  std::vector<std::uint32_t> pool_bases;  // address of each literal pool, in the order of placement
   std::vector<EmittedWord> words;
   std::vector<std::pair<Position, Diagnostic>> diagnostics;
-  // Of the dialect of Bell Laboratories alone (bell.hpp): all definitions of 0: to 9:, and the value of `..`.
+  // For the dialect of Bell Laboratories only (bell.hpp): all definitions of 0: to 9:, and the value of `..`.
   std::array<std::vector<std::uint32_t>, 10> relative_labels;
   std::optional<std::uint32_t> base;
   std::optional<std::uint32_t> start;
   std::set<std::string> externals;  // keys of the names that EXTERNAL declares
-  // A source that has EXTERNAL or INTERNAL beside other sources: its names are its own but for the shared ones.
+  // A source with EXTERNAL or INTERNAL, assembled with other sources: only the names that it declares are visible to them.
   struct Module {
     bool declares = false;
     std::set<std::string> shared;  // keys
   };
   std::vector<Module> modules;  // of the sources
-  bool modules_known = false;   // the first pass has found them; until then names are those of all
+  bool modules_known = false;   // set by the first pass, in which names are common to all sources
 };
 
 class Pdp7Pass {
@@ -65,7 +65,7 @@ class Pdp7Pass {
   // Statements
   void read_file(std::size_t index);
   void statement();
-  bool pseudo_operation();  // true if the statement is one
+  bool pseudo_operation();  // true if the statement was a pseudo-operation
   void end_statement();
   void define_tag(Token name, std::uint32_t value, int form);
   [[nodiscard]] bool assign(Token name);  // true if it was a tag: more of the statement may follow
@@ -75,10 +75,10 @@ class Pdp7Pass {
   void end_of_file();
   void next_tape();
   void declare(bool external);
-  void refuse_undefined_declarations();
+  void report_undefined_declarations();
   void place_literals(const Position& at);
   void place_variables(const Position& at);
-  void emit(std::uint32_t word, const Position& at, std::string stands_for = {});
+  void emit(std::uint32_t word, const Position& at, std::string generated_source = {});
 
   // Expressions
   [[nodiscard]] std::optional<Value> expression();
@@ -89,7 +89,7 @@ class Pdp7Pass {
   [[nodiscard]] std::optional<Value> literal();
   [[nodiscard]] bool starts_a_term() const;
   [[nodiscard]] std::uint32_t literal_index(std::uint32_t word, bool known);
-  [[nodiscard]] std::uint32_t finished(const Value& value, const Position& at);
+  [[nodiscard]] std::uint32_t word_of(const Value& value, const Position& at);
   [[nodiscard]] std::optional<std::uint32_t> address_of(const Value& value, const Position& at,
                                                         std::string_view what, const char* hint = "");
   void mark_variable(Symbol& symbol, const Token& at);
@@ -101,11 +101,11 @@ class Pdp7Pass {
   void skip_statement();
   Symbol& look_up(const Token& name);
   [[nodiscard]] bool is_own(std::string_view name);
-  // What stands here, as a message shows it; with the dialect to which it belongs, if that is not this one.
+  // What the message shows as found here; names the dialect to which the construct belongs, if not this one.
   [[nodiscard]] std::string found_here() const;
   void error(const Position& at, std::string found, std::string expected);
   void warning(const Position& at, std::string found, std::string expected);
-  void say(Severity severity, const Position& at, std::string found, std::string expected);
+  void report(Severity severity, const Position& at, std::string found, std::string expected);
   void remark(const Position& at, std::span<const Remark> remarks);
 
   std::span<const SourceFile> sources_;
@@ -116,7 +116,7 @@ class Pdp7Pass {
   Arithmetic arithmetic_;
   Pdp7Lexer lexer_{"", 0};
   Token token_;
-  std::size_t source_ = 0;  // that is read
+  std::size_t source_ = 0;  // the source being read
   std::uint32_t location_ = 0;
   bool location_by_origin_ = true;
   bool decimal_ = false;
@@ -135,8 +135,8 @@ class Pdp7Pass {
   std::vector<std::pair<Token, bool>> declared_;  // of EXTERNAL (true) and INTERNAL
 };
 
-// The full name of the pseudo-operation that a word means, or nothing. At least its first six characters must be
-// there and what follows must be right too: VARIABLE is VARIABLES, but VARIABLE2 is a symbol.
+// The full name of the pseudo-operation that `word` abbreviates, or nothing. It needs at least the first six characters,
+// and the rest must match: VARIABLE is VARIABLES, but VARIABLE2 is a symbol.
 [[nodiscard]] std::string_view pseudo_operation_named(std::string_view word);
 
 // A token as a message shows it.

@@ -1,4 +1,4 @@
-// The pseudo-operations: what a statement can order beside making a word.
+// The pseudo-operations: statements that do more than make a word.
 #include <array>
 #include <utility>
 
@@ -90,7 +90,7 @@ void Pdp7Pass::conditional(bool when_zero) {
   }
   const Position opened = token_.at;
   advance();
-  const std::uint32_t word = value && value->known ? finished(*value, at) : 0;
+  const std::uint32_t word = value && value->known ? word_of(*value, at) : 0;
   const bool zero = word == 0 || (word == minus_zero && !options_.twos_complement);
   statement_follows_ = true;
   if (zero != when_zero) return skip_block(opened);
@@ -119,8 +119,8 @@ void Pdp7Pass::skip_block(const Position& opened) {
   }
 }
 
-// PAUSE ends a tape. Several may have been copied into one file: what follows is read like another file. Its first line
-// is a title again if those of the files are.
+// PAUSE ends a tape. Several tapes may have been copied into one file: the text after PAUSE is read like another file.
+// Its first line is a title if those of the files are.
 void Pdp7Pass::next_tape() {
   if (!at_end_of_statement()) {
     error(token_.at, describe(token_), "the end of the statement");
@@ -132,8 +132,8 @@ void Pdp7Pass::next_tape() {
   advance();
 }
 
-// EXTERNAL and INTERNAL of the FORTRAN assembly system (DIGITAL-7-3-S, appendix 3): names of other tapes, and names for
-// them. The other names of such a source are its own; what is declared must be defined.
+// EXTERNAL and INTERNAL of the FORTRAN assembly system (DIGITAL-7-3-S, appendix 3): names defined on other tapes, and
+// names that other tapes use. All other names are local to the source. A declared name must be defined.
 void Pdp7Pass::declare(bool external) {
   if (at_end_of_statement()) error(token_.at, describe(token_), "names");
   for (; !at_end_of_statement(); advance()) {
@@ -143,7 +143,7 @@ void Pdp7Pass::declare(bool external) {
       return skip_statement();
     }
     if (look_up(token_).kind == SymbolKind::permanent)
-      error(token_.at, "permanent symbol " + describe(token_), "a name of its own");
+      error(token_.at, "permanent symbol " + describe(token_), "another name");
     declared_.emplace_back(token_, external);
     Pdp7Program::Module& module = program_.modules[source_];
     module.declares = true;
@@ -152,7 +152,7 @@ void Pdp7Pass::declare(bool external) {
   }
 }
 
-void Pdp7Pass::refuse_undefined_declarations() {
+void Pdp7Pass::report_undefined_declarations() {
   for (const auto& [name, external] : declared_) {
     if (program_.symbols[name.text].kind != SymbolKind::undefined) continue;
     error(name.at, (external ? "external symbol " : "internal symbol ") + describe(name) + ", which no source defines",

@@ -30,7 +30,7 @@ bool microcode_class(std::uint32_t word) {
   return c == pdp7::Class::eae || c == pdp7::Class::iot || c == pdp7::Class::opr;
 }
 
-// Combinations of OPR bits that assemble but do not mean what they say.
+// Combinations of OPR bits that assemble but do not act as their names say.
 void remark_on_opr(std::uint32_t a, std::uint32_t b, std::vector<Remark>& remarks) {
   if (class_of(a) != pdp7::Class::opr) return;
   constexpr std::uint32_t skip = skip_conditions | skip_inverted;

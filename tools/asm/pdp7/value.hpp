@@ -1,7 +1,7 @@
 // Values of PDP-7 expressions: 18-bit arithmetic, and the combination of an instruction with its operand.
 //
-// A value keeps the instruction part (head) and what is added to it (operand) apart until the expression is complete,
-// because only then can one say whether the operand fits the field that the instruction has for it.
+// A value keeps the instruction part (head) and the number added to it (operand) apart until the expression is complete:
+// only then is it known whether the operand fits the field of the instruction.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace sightline::assembler {
 
 enum class Form : std::uint8_t {
   plain,     // a number: operand only
-  indirect,  // the symbol i by itself: operand 20000
+  indirect,  // the symbol i alone: operand 20000
   memory,    // opcode and indirect bit in head; 13-bit address
   law,       // 760000 in head; 13-bit number
   micro,     // EAE, IOT, OPR: ORed together
@@ -25,13 +25,13 @@ struct Value {
   std::uint32_t operand = 0;
   Form form = Form::plain;
   bool known = true;
-  bool bare_number = false;  // written as an unsigned number: may stand for a microinstruction
+  bool bare_number = false;  // written as an unsigned number, which may be a microinstruction
 
   [[nodiscard]] static Value number(std::uint32_t n) { return Value{0, n, Form::plain, true, false}; }
   [[nodiscard]] static Value unknown() { return Value{0, 0, Form::plain, false, false}; }
 };
 
-// A remark about an expression, without its place.
+// A diagnostic about an expression, still without its position.
 struct Remark {
   Severity severity;
   std::string found;
@@ -50,7 +50,7 @@ class Arithmetic {
   [[nodiscard]] Value difference(Value left, Value right) const;
   [[nodiscard]] Value logical(Value left, Value right, bool conjunction) const;
   [[nodiscard]] Value negative(Value value) const;
-  // The 18-bit word, the operand checked against its field. location: where the word will stand, for its bank.
+  // The 18-bit word; checks the operand against its field. location: the address of the word, which selects its bank.
   [[nodiscard]] std::uint32_t word(const Value& value, std::uint32_t location,
                                    std::vector<Remark>& remarks) const;
 
@@ -62,7 +62,7 @@ class Arithmetic {
   bool twos_complement_;
 };
 
-// The form of a word that is defined as an instruction, and that word taken apart again.
+// The form of a word that is defined as an instruction, and the split of that word into head and operand.
 [[nodiscard]] Form form_of_instruction(std::uint32_t word);
 [[nodiscard]] Value from_symbol(std::uint32_t word, Form form);
 

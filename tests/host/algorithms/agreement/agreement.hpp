@@ -1,5 +1,6 @@
-// All that give exact visible edges, on one scene: the oracle, `exact`, and native Jones by BSP and, where it
-// can be, by grid; without Jones if there are wires, which he does not draw. Pictures are equal by ==, or it is a defect.
+// All algorithms with exact visible edges on one scene: the oracle, `exact`, and native Jones by BSP and, where possible, by
+// grid.
+// Jones is omitted for scenes with wires, which it does not draw. Pictures must be equal by ==.
 #pragma once
 
 #include <memory>
@@ -18,14 +19,14 @@ namespace sightline::algorithms {
 
 class Agreement {
  public:
-  // The scene is a checked one and outlives this.
+  // The scene must be checked, and must outlive this object.
   explicit Agreement(const scene::PolyScene& scene) : scene_(scene), mesh_(exact::make_edge_mesh(scene)) {
     if (!scene.wires.empty()) return;
     add("jones by bsp", scene::decompose_bsp(scene));
     if (!scene::why_no_grid(scene)) add("jones by grid", scene::decompose_grid(scene));
   }
 
-  // Empty if all agree; else a line for each that does not. The eye is in free space.
+  // Empty if all agree; else one line for each that differs. The eye must be in free space.
   std::string differences(const scene::PolyCamera& camera) {
     const picture::LinePicture truth = oracle::visible_edges(scene_, camera);
     std::string text = no_complex_;
@@ -55,7 +56,7 @@ class Agreement {
           walker(*prepared) {}
 
     std::string name;
-    std::unique_ptr<scene::CellComplex> complex;  // at a place that stays
+    std::unique_ptr<scene::CellComplex> complex;  // at a stable address
     std::unique_ptr<jones::PreparedComplex> prepared;
     jones::Walker walker;
   };

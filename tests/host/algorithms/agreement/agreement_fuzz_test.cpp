@@ -1,10 +1,10 @@
-// Random scenes from random cameras by the oracle, `exact`, native Jones by grid and by BSP, and every other
-// algorithm of the table of lines: equal as that table says. A difference is shrunk and saved as a scene
-// file, its own camera the one it shows from.
+// Random scenes from random cameras by the oracle, `exact`, native Jones by grid and by BSP, and every other algorithm of the
+// table of lines: they must agree as that table says. A difference is shrunk and saved as a scene file, whose camera is the one
+// that shows it.
 //
-// Algorithms may refuse: scenes and views beforehand, and faces that pass through each other, which random
-// scenes are full of, when they meet them. How often each did draw is counted, so that refusing is no way
-// out. Fast by default; SIGHTLINE_FUZZ_SCENES=n tries n scenes, SIGHTLINE_FUZZ_SEED=s those from seed s on.
+// Algorithms may reject scenes and views beforehand, and faces that pass through each other, which are common in random scenes,
+// when they find them. The test counts how often each algorithm draws, so that rejecting is not a way to pass. Fast by default;
+// SIGHTLINE_FUZZ_SCENES=n tries n scenes, SIGHTLINE_FUZZ_SEED=s starts at seed s.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ std::uint32_t number_from(const char* variable, std::uint32_t otherwise) {
   return text != nullptr ? static_cast<std::uint32_t>(std::strtoul(text, nullptr, 10)) : otherwise;
 }
 
-// What to run to see the difference again.
+// The command that shows the difference again.
 std::string saved(const scene::PolyScene& scene, std::uint32_t seed) {
   const std::string file = "disagreement-" + std::to_string(seed) + ".json";
   const auto text = scene::write_poly(scene, scene::PolyFormat::json);
@@ -47,7 +47,7 @@ struct Share {
 };
 using Shares = std::map<std::string_view, Share>;
 
-// What Everyone does not draw itself, and why.
+// An algorithm that Everyone does not draw, and the reason.
 struct Exclusion {
   std::string_view algorithm;
   std::string_view reason;
@@ -74,7 +74,7 @@ class Everyone {
     }
   }
 
-  // Empty if all that draw the view agree.
+  // Empty if all algorithms that draw the view agree.
   std::string differences(const scene::PolyCamera& camera, Shares& shares) {
     std::string text = agreement_.differences(camera);
     const picture::LinePicture exact = exact::visible_edges(scene_, camera);
@@ -101,7 +101,7 @@ class Everyone {
   std::vector<std::pair<const registry::LineAlgorithm*, decltype(registry::PreparedScene::view)>> others_;
 };
 
-TEST(AgreementFuzz, RandomScenesAreSeenAlikeByAll) {
+TEST(AgreementFuzz, AllAlgorithmsAgreeOnRandomScenes) {
   constexpr int views = 8;
   const std::uint32_t first = number_from("SIGHTLINE_FUZZ_SEED", 1);
   const std::uint32_t scenes = number_from("SIGHTLINE_FUZZ_SCENES", tests::effort(60U, 15U));

@@ -1,5 +1,5 @@
-// The published segment counts and lengths of the benchmark scenes, out of native Jones by grid and by BSP,
-// and the picture of `exact`, piece for piece. A thousand boxes have too many units for a grid.
+// The published segment counts and lengths of the benchmark scenes, by native Jones with grid and with BSP, and the picture of
+// `exact`, piece by piece. A thousand boxes have too many units for a grid.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -24,7 +24,7 @@ struct Figure {
 
 class JonesFigures : public testing::TestWithParam<Figure> {};
 
-TEST_P(JonesFigures, AreThePublishedOnes) {
+TEST_P(JonesFigures, EqualThePublishedFigures) {
   const Figure& figure = GetParam();
   const auto scene = *scene::generate_scene(figure.family, figure.size);
   const picture::LinePicture exact = exact::visible_edges(scene, scene.camera);
@@ -36,7 +36,7 @@ TEST_P(JonesFigures, AreThePublishedOnes) {
     ASSERT_TRUE(result);
     const picture::LinePicture& drawn = result->picture;
     EXPECT_EQ(drawn.pieces.size(), figure.segments);
-    // Nine decimals are given.
+    // Nine decimals are published.
     EXPECT_NEAR(picture::image_length(drawn, scene, scene.camera), figure.length, 0.6e-9);
     EXPECT_TRUE(drawn == exact);
   }

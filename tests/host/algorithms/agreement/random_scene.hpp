@@ -1,5 +1,5 @@
-// Random scenes and cameras that are as often degenerate as not: bodies that touch, overlap, lie in one plane
-// or in each other, on few coordinates; eyes in planes of faces and in line with edges.
+// Random scenes and cameras, degenerate about half of the time: bodies that touch, overlap, are coplanar or nested, with few
+// different coordinates; eyes in planes of faces and in line with edges.
 #pragma once
 
 #include <algorithm>
@@ -21,12 +21,12 @@
 
 namespace sightline::algorithms {
 
-// The same numbers everywhere: no distribution of the library is used.
+// The same numbers on every platform: library distributions are not used.
 class Dice {
  public:
   explicit Dice(std::uint32_t seed) : random_(seed) {}
 
-  // Both ends included.
+  // Including both ends.
   std::int32_t between(std::int32_t low, std::int32_t high) {
     return low + static_cast<std::int32_t>(random_() % static_cast<std::uint32_t>(high - low + 1));
   }
@@ -57,7 +57,7 @@ class RandomScene {
     if (builder_.scene().bodies.empty()) builder_.add_box("", {0, 0, 0}, {1, 2, 3});
   }
 
-  // One more view of the scene; false if no place for the eye was found.
+  // Chooses another view of the scene; false if no position for the eye was found.
   bool look() {
     for (int tries = 0; tries < 50; ++tries) {
       const scene::PolyCamera camera = some_camera();
@@ -87,7 +87,7 @@ class RandomScene {
     }
   }
 
-  // low < high on every axis, at least `least` apart.
+  // A box with low < high on every axis, at least `least` apart.
   std::pair<Point, Point> some_box(std::int32_t least) {
     Point low{};
     Point high{};
@@ -120,7 +120,7 @@ class RandomScene {
     builder_.scene().bodies.push_back(std::move(body));
   }
 
-  // Over an L that is not convex, leaning: its sides are parallelograms.
+  // A leaning prism over a non-convex L: its sides are parallelograms.
   void add_prism() {
     const auto [low, high] = some_box(2);
     const std::int32_t x = dice_.between(low[0] + 1, high[0] - 1);
@@ -184,7 +184,7 @@ class RandomScene {
     faces.insert(faces.end(), cavity.begin(), cavity.end());
   }
 
-  // The faces of a box, looking inwards.
+  // The faces of a box, turned inwards.
   std::vector<scene::PolyFace> inside_out(const Point& low, const Point& high) {
     builder_.add_box("", low, high);
     auto faces = std::move(builder_.scene().bodies.back().faces);
@@ -193,7 +193,7 @@ class RandomScene {
     return faces;
   }
 
-  // Across an axis, maybe with a door that is a hole or reaches its border.
+  // A rectangle perpendicular to an axis, perhaps with a door that is a hole or reaches its border.
   void add_rectangle() {
     const auto [low, high] = some_box(3);
     const std::size_t axis = dice_.below(3);
@@ -237,10 +237,10 @@ class RandomScene {
     camera.eye = some_eye();
     do {
       camera.forward = dice_.one_in(4) ? difference(some_vertex(), camera.eye) : dice_.point(-3, 3);
-      // Level directions are the ones a turn about y has.
+      // Level directions belong to a turn about y.
       if (!camera.perspective && dice_.one_in(2)) camera.forward[1] = 0;
       camera.forward = short_vector(camera.forward);
-      // The other vectors must stay below 2^15: of a long one the direction is kept as well as can be.
+      // The other vectors must stay below 2^15: the direction of a long one is approximated.
       while (std::any_of(camera.forward.begin(), camera.forward.end(),
                          [](std::int32_t c) { return std::abs(c) >= 1 << 6; }))
         for (std::int32_t& c : camera.forward) c /= 2;

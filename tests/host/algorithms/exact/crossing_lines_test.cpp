@@ -1,5 +1,6 @@
-// Lines in which solids pass through each other: found as every side of one tried with every triangle of the other finds
-// them, and what of them is seen by `exact` and by the oracle, with ends that are fractions.
+// Lines in which solids pass through each other: they must equal those found by testing every side with every triangle, and
+// `exact`
+// and the oracle must see the same parts of them, with ends that are fractions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +27,7 @@ namespace {
 
 using namespace turned_solids;
 
-// Two or three prisms through each other, turned.
+// Two or three turned prisms through each other.
 Solid crossing_prisms(Dice& dice) {
   Solid solid;
   add_prism(solid, dice, {0, 0, 0}, 5);
@@ -56,7 +57,7 @@ struct PiercedPoint {
   }
 };
 
-// Where sides of triangles go through the inside of others, each side of each triangle; empty if corners or sides touch.
+// Where sides of triangles pass through the inside of others, for each side of each triangle; empty if corners or sides touch.
 std::optional<std::vector<PiercedPoint>> pierced_points(const scene::PolyScene& scene) {
   std::vector<const scene::PolyFace*> faces;
   for (const scene::PolyBody& body : scene.bodies)
@@ -91,7 +92,7 @@ std::optional<std::vector<PiercedPoint>> pierced_points(const scene::PolyScene& 
   return points;
 }
 
-TEST(CrossingLines, OfTurnedSolidsAreFoundAndSeenAsByTryingAll) {
+TEST(CrossingLines, OfTurnedSolidsMatchAnExhaustiveSearch) {
   Dice dice(162);
   int compared = 0;
   std::size_t ends = 0;
@@ -136,8 +137,8 @@ TEST(CrossingLines, OfTurnedSolidsAreFoundAndSeenAsByTryingAll) {
   EXPECT_GT(seen, 3U * static_cast<std::size_t>(rounds));
 }
 
-// With the eye among sheets that pass through each other, so that much lies behind it, at the edge of what coordinates may be.
-TEST(CrossingLines, AreSeenAsTheOracleSeesThemFromAmongThem) {
+// The eye is among sheets that pass through each other, so that much is behind it, at the limits of coordinates.
+TEST(CrossingLines, FromAmongThemExactAndOracleAgree) {
   Dice dice(61);
   std::size_t pieces = 0;
   for (int round = 0; round < 60; ++round) {

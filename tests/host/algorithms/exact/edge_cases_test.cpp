@@ -1,5 +1,4 @@
-// Cases whose visible parts are worked out by hand, for `exact` and for the oracle. The eye is at the origin
-// and looks along z.
+// Cases whose visible parts are computed by hand, for `exact` and for the oracle. The eye is at the origin and looks along z.
 #include <gtest/gtest.h>
 
 #include "tests/host/algorithms/exact/edge_scenes.hpp"
@@ -40,7 +39,7 @@ TEST_P(EdgeCases, ASquareHidesTheMiddleOfALineBehind) {
   EXPECT_EQ(seen(line, line + 1), (Intervals{between(0, 3, 8), between(5, 8, 8)}));
 }
 
-TEST_P(EdgeCases, AnOrthographicEyeIsNowhereSoThatAFaceBehindItHidesToo) {
+TEST_P(EdgeCases, InOrthographicViewsAFaceBehindTheEyeHidesToo) {
   add_sheet(scene_, square(10, -100));
   const auto line = add_sheet(scene_, {{-40, 0, 200}, {40, 0, 200}, {0, 60, 200}});
   EXPECT_EQ(seen(line, line + 1), Intervals{all});
@@ -66,10 +65,10 @@ TEST_P(EdgeCases, ALineInTheFaceItselfIsSeen) {
   EXPECT_EQ(seen(line, line + 1), Intervals{all});
 }
 
-TEST_P(EdgeCases, ExactlyBehindTheCommonEdgeOfTwoFacesNothingIsSeen) {
+TEST_P(EdgeCases, NothingIsVisibleExactlyBehindTheCommonEdgeOfTwoFaces) {
   add_sheet(scene_, {{0, -10, 100}, {0, 10, 100}, {-20, 10, 120}, {-20, -10, 120}});
   const auto line = add_sheet(scene_, {{0, -5, 200}, {0, 5, 200}, {1, 0, 300}});
-  EXPECT_EQ(seen(line, line + 1), Intervals{all}) << "hidden from the left alone";
+  EXPECT_EQ(seen(line, line + 1), Intervals{all}) << "hidden by the left face only";
   add_sheet(scene_, {{0, -10, 100}, {0, 10, 100}, {20, 10, 120}, {20, -10, 120}});
   EXPECT_EQ(seen(line, line + 1), Intervals{});
 }
@@ -89,14 +88,14 @@ TEST_P(EdgeCases, ALineTowardsTheEyeIsAPointAndAFaceEdgeOnHidesNothing) {
   EXPECT_EQ(seen(line, line + 1), Intervals{all});
 }
 
-TEST_P(EdgeCases, OnlyWhatIsBeforeTheEyeIsSeen) {
+TEST_P(EdgeCases, OnlyLinesInFrontOfTheEyeAreSeen) {
   const auto line = add_sheet(scene_, {{-10, 5, -100}, {-10, 5, 100}, {-10, 50, -100}});
   EXPECT_EQ(seen(line, line + 1), (Intervals{between(1, 2, 2)}));
   EXPECT_EQ(seen(line, line + 2), Intervals{});
   EXPECT_EQ(seen(line + 1, line + 2), (Intervals{between(0, 1, 2)}));
 }
 
-TEST_P(EdgeCases, AFloorThatReachesBehindTheEyeHidesWhatIsUnderIt) {
+TEST_P(EdgeCases, AFloorThatReachesBehindTheEyeHidesLinesUnderIt) {
   add_sheet(scene_, {{-50, -10, -100}, {50, -10, -100}, {50, -10, 50}, {-50, -10, 50}});
   const auto line = add_sheet(scene_, {{0, -20, -50}, {0, -20, 150}, {0, -30, 150}});
   EXPECT_EQ(seen(line, line + 1), (Intervals{between(3, 4, 4)}));

@@ -1,4 +1,4 @@
-// Small scenes by hand and random cameras, for both makers of exact line pictures.
+// Small scenes made by hand and random cameras, for both makers of exact line pictures.
 #pragma once
 
 #include <algorithm>
@@ -42,12 +42,12 @@ inline scene::VertexIndex add_sheet(scene::PolyScene& scene, const std::vector<s
   return first;
 }
 
-// A square parallel to the image, |x| and |y| at most half.
+// A square parallel to the image plane, with |x| and |y| at most `half`.
 inline std::vector<scene::PolyPoint> square(std::int32_t half, std::int32_t z) {
   return {{-half, -half, z}, {half, -half, z}, {half, half, z}, {-half, half, z}};
 }
 
-// What is seen of the edge between two vertices, the lower first.
+// The visible parts of the edge between two vertices, the lower index first.
 inline std::vector<geometry::Interval> seen_of(const picture::LinePicture& picture, scene::VertexIndex from,
                                                scene::VertexIndex to) {
   std::vector<geometry::Interval> seen;
@@ -69,14 +69,14 @@ class RandomCameras {
     }
   }
 
-  // From outside the bounds of the scene, the line of sight anywhere: much may lie behind the eye.
+  // A camera outside the bounds of the scene with any line of sight: much may be behind the eye.
   scene::PolyCamera outside(bool perspective) {
     scene::PolyCamera camera = somewhere(perspective);
     while (inside_bounds(camera.eye)) camera = somewhere(perspective);
     return camera;
   }
 
-  // Within the bounds; no coordinate a multiple of `pitch` above them (walls stand there).
+  // A camera within the bounds; no coordinate is a multiple of `pitch` above them (there are walls).
   scene::PolyCamera inside(std::int32_t pitch) {
     scene::PolyCamera camera = somewhere(true);
     for (std::size_t a = 0; a < 3; ++a) {

@@ -1,7 +1,6 @@
-// `exact` against the oracle, by ==, on generated scenes from random cameras: perspective and orthographic,
-// from outside and from within a building, with much of the scene behind the eye. Bricks, cubes that touch
-// and cubes in line have coordinates so small that the eye is often exactly in the plane of faces and in line
-// with edges.
+// `exact` compared with the oracle by ==, on generated scenes from random cameras: perspective and orthographic, from outside and
+// from within a building, with much of the scene behind the eye. Bricks, touching cubes and cubes in line have such small
+// coordinates that the eye is often exactly in the plane of faces and in line with edges.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -74,7 +73,7 @@ TEST(ExactAgreement, RoomsFromWithin) {
   }
 }
 
-// Sheets that cross one another anywhere: planar quadrilaterals p, p + a, p + a + b, p + b, some with a hole.
+// Sheets that cross each other anywhere: planar quadrilaterals p, p + a, p + a + b, p + b, some with a hole.
 TEST(ExactAgreement, SheetsThatCross) {
   std::mt19937 dice(7);
   const auto number = [&dice](std::int32_t range) {
@@ -104,7 +103,7 @@ TEST(ExactAgreement, SheetsThatCross) {
   }
 }
 
-// In the order of the image, which several threads use for any scene.
+// In image order, which a multithreaded run uses for any scene.
 TEST(ExactAgreement, AnyNumberOfThreadsDrawsTheSame) {
   for (const scene::PolyScene& scene :
        {scene::generate_boxes(40), scene::generate_town(20), scene::generate_rooms(3), scene::generate_triangles(60),

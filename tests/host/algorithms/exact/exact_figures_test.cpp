@@ -1,5 +1,4 @@
-// The published segment counts and lengths of the benchmark scenes, out of `exact` and, where it is fast
-// enough, out of the oracle.
+// The published segment counts and lengths of the benchmark scenes, by `exact` and, where it is fast enough, by the oracle.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -15,7 +14,7 @@ struct Figure {
   const char* family;
   std::size_t size;
   std::size_t segments;
-  double length;    // 0 where none is published
+  double length;    // 0 if none is published
   bool oracle_too;  // exact_speed_test.cpp has the others
 };
 
@@ -32,7 +31,7 @@ INSTANTIATE_TEST_SUITE_P(, Figures,
                            return std::string(figure.param.family) + std::to_string(figure.param.size);
                          });
 
-TEST_P(Figures, AreThePublishedOnes) {
+TEST_P(Figures, EqualThePublishedFigures) {
   const Figure& figure = GetParam();
   const auto scene = *scene::generate_scene(figure.family, figure.size);
   for (const Maker& maker : {exact_maker, oracle_maker}) {
@@ -40,7 +39,7 @@ TEST_P(Figures, AreThePublishedOnes) {
     const picture::LinePicture drawn = maker.draw(scene, scene.camera);
     EXPECT_EQ(drawn.pieces.size(), figure.segments) << maker.name;
     if (figure.length > 0) {
-      // Nine decimals are given.
+      // Nine decimals are published.
       EXPECT_NEAR(picture::image_length(drawn, scene, scene.camera), figure.length, 0.6e-9) << maker.name;
     }
   }

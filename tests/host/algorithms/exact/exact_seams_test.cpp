@@ -1,4 +1,4 @@
-// A surface in pieces looks like the surface in one, once its seams are left out: the image sets are equal.
+// A surface in pieces looks like the surface in one piece when its seams are omitted: the image sets are equal.
 #include <gtest/gtest.h>
 
 #include "host/picture/line_picture.hpp"
@@ -56,7 +56,7 @@ TEST(ExactSeams, ATriangulatedCubeIsACube) {
   expect_alike(triangles, whole);
 }
 
-// A wall stands across two coplanar halves of a floor: their joint is a line from above, a seam from below.
+// A wall stands across two coplanar halves of a floor: their joint is a line seen from above, a seam seen from below.
 TEST(ExactSeams, AnEdgeMayBeASeamFromOneSideOnly) {
   PolyScene scene;
   scene.vertices = {{0, 0, 0},    {10, 0, 0},  {10, 10, 0}, {0, 10, 0},

@@ -1,5 +1,6 @@
-// What only an optimised build shows in reasonable time: the oracle's figures on the larger benchmark scenes,
-// and `exact` equal to it on them and on the whole generated set.
+// Tests that need an optimised build: the oracle's figures on the larger benchmark scenes, and `exact` compared with it on them
+// and
+// on the whole generated set.
 #include <gtest/gtest.h>
 
 #include "host/picture/line_picture_image.hpp"

@@ -1,5 +1,5 @@
-// Feature edges of solids that are turned together with the camera: the same edges of the file, whatever the
-// rounding does to them; and what of them is seen, by `exact` and by the oracle.
+// Feature edges of solids that are turned together with the camera: always the same edges of the file, whatever the rounding; and
+// their visible parts, by `exact` and by the oracle.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ namespace {
 
 using namespace turned_solids;
 
-// No face is nearly edge-on, nor any bend near 30 degrees: there the rounding of the camera decides.
+// No face is nearly edge-on and no bend is near 30 degrees, where the rounding of the camera would decide.
 bool is_decided(const Solid& solid, const Point& direction) {
   std::vector<Point> normals;
   for (const auto& face : solid.faces) {
@@ -77,14 +77,14 @@ TEST(FeatureEdges, OfTurnedSolidsAreTheSameEdgesOfTheFile) {
     };
     const Edges as_it_is = chosen_of({Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}}, {0, 0, 0}, false);
     EXPECT_EQ(as_it_is, chosen_of(turn, shift, true)) << compared;
-    // The diagonals of the sides are none.
+    // The diagonals of the sides are not feature edges.
     for (const auto& [edge, kind] : as_it_is) EXPECT_NE(kind, picture::EdgeKind::flat);
   }
   EXPECT_GT(pieces, 200U * 9);
 }
 
-// In perspective, too, and with the eye near; the pictures need only agree.
-TEST(FeatureEdges, AreSeenAsTheOracleSeesThem) {
+// In perspective, too, and with a near eye; the pictures only need to agree.
+TEST(FeatureEdges, ExactAndOracleSeeTheSame) {
   Dice dice(5);
   int compared = 0;
   for (int round = 0; compared < 60 && round < 400; ++round) {

@@ -1,5 +1,5 @@
-// Hatching and lines between bodies of scenes that are no mesh: what is seen of them by `exact` and by the oracle, and laws
-// of where the lines are.
+// Hatching, and crossing lines between bodies of scenes without surfaces: `exact` compared with the oracle, and laws of the
+// positions of the lines.
 #include "host/picture/hatching.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ void add_box(scene::PolyScene& scene, const PolyPoint& low, const PolyPoint& hig
   }
 }
 
-// Boxes anywhere, most of which pass through others, and a sheet through all.
+// Random boxes, most of which pass through others, and a sheet through all of them.
 scene::PolyScene crossing_boxes(Dice& dice, int count) {
   scene::PolyScene scene;
   for (int i = 0; i < count; ++i) {
@@ -96,7 +96,7 @@ picture::LinePicture seen(const Hatched& hatched) {
   return exact::visible_edges(exact::make_edge_mesh(hatched.hatching.scene), hatched.camera, &hatched.hatching.lines);
 }
 
-TEST(Hatching, IsSeenAsTheOracleSeesIt) {
+TEST(Hatching, ExactAndOracleSeeTheSame) {
   Dice dice(31);
   std::size_t lines = 0;
   std::size_t pieces = 0;
@@ -120,8 +120,8 @@ TEST(Hatching, IsSeenAsTheOracleSeesIt) {
   EXPECT_GT(pieces, 2000U);
 }
 
-// On the paper: at the angle, at whole multiples of the spacing; in space: on their faces, but for rounding.
-TEST(Hatching, LinesAreWhereTheyAreSaidToBe) {
+// On the paper: at the angle, at integer multiples of the spacing; in space: on their faces, within rounding.
+TEST(Hatching, LinesHaveTheRequestedAngleAndSpacing) {
   Dice dice(7);
   for (int i = 0; i < 6; ++i) {
     const auto scene = *scene::generate_scene("boxes", 5, 10U + static_cast<unsigned>(i));
@@ -162,7 +162,7 @@ TEST(Hatching, LinesAreWhereTheyAreSaidToBe) {
   }
 }
 
-// A square of 80 by 80 that fills the middle of the paper, seen from before: so much ink, whatever the angle.
+// A square of 80 by 80 in the middle of the paper, seen from the front: the amount of ink does not depend on the angle.
 TEST(Hatching, InkIsAreaBySpacing) {
   scene::PolyScene scene;
   scene::PolyBody& body = scene.bodies.emplace_back();
@@ -229,7 +229,7 @@ TEST(Hatching, AHoleHasNone) {
 }
 
 // Lines in which bodies of a scene without surfaces cross.
-TEST(CrossingsWithoutSurfaces, AreSeenAsTheOracleSeesThem) {
+TEST(CrossingsWithoutSurfaces, ExactAndOracleSeeTheSame) {
   Dice dice(11);
   std::size_t pieces = 0;
   std::size_t crossings = 0;
@@ -241,7 +241,7 @@ TEST(CrossingsWithoutSurfaces, AreSeenAsTheOracleSeesThem) {
     const picture::ChosenEdges chosen = picture::EdgeChooser(scene, *picture::edge_choice_named("all")).at(*camera);
     const picture::LinePicture fast = exact::visible_edges(exact::make_edge_mesh(scene), *camera, &chosen);
     EXPECT_TRUE(fast == oracle::visible_edges(scene, *camera, chosen)) << i;
-    // What is seen of the edges is the same as without the lines.
+    // The visible parts of the edges are the same without the lines.
     picture::LinePicture edges;
     const VertexIndex first = scene.crossings.empty() ? static_cast<VertexIndex>(scene.vertices.size())
                                                       : scene.crossings.front().from;

@@ -1,4 +1,4 @@
-// The grid over the image stays small whatever covers it, and still has every occluder where it is.
+// The grid over the image stays small for any occluders and finds every occluder at its position.
 #include "host/algorithms/exact/image_grid.hpp"
 
 #include <gtest/gtest.h>
@@ -49,9 +49,9 @@ TEST(ImageGrid, SmallOccludersKeepSmallCells) {
   EXPECT_EQ(entries(grid, bounds[0]), 4U);
 }
 
-// The law of a query: of the occluders whose bounds touch a rectangle each passes once, in one of the cells, and no
-// other; and in a cell the nearest comes first. On any number of threads.
-TEST(ImageGrid, EveryOccluderThatTouchesARectanglePassesOnce) {
+// The law of a query: each occluder whose bounds touch a rectangle is visited once, in one of the cells, and no other; in a cell
+// the nearest comes first. For any number of threads.
+TEST(ImageGrid, EveryOccluderThatTouchesARectangleIsVisitedOnce) {
   std::mt19937 generator(3);
   const auto below = [&generator](std::uint32_t limit) { return static_cast<std::uint32_t>(generator()) % limit; };
   for (int round = 0; round < 60; ++round) {
@@ -99,7 +99,7 @@ TEST(ImageGrid, EveryOccluderThatTouchesARectanglePassesOnce) {
   }
 }
 
-// Ranks ascend with depths, and the first of them are those up to a depth.
+// Ranks ascend with depth; the occluders up to a depth are the first ranks.
 TEST(ImageGrid, RanksSayWhichOccludersAreUpToADepth) {
   std::mt19937 generator(5);
   for (int round = 0; round < 50; ++round) {
@@ -118,7 +118,7 @@ TEST(ImageGrid, RanksSayWhichOccludersAreUpToADepth) {
   }
 }
 
-// One behind the other, so that all but the first are hidden.
+// One behind the other: all but the first are hidden.
 TEST(ImageGrid, ThousandsOfSheetsInAStack) {
   scene::PolyScene scene;
   for (std::int32_t i = 0; i < 3000; ++i) add_sheet(scene, square(8000, 10000 + i));

@@ -1,4 +1,4 @@
-// Prisms turned by any angle and read as a mesh of single precision, as files of parts are.
+// Prisms turned by any angle and read as a single-precision mesh, as files of parts are.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -54,8 +54,9 @@ struct Solid {
   std::vector<std::vector<scene::VertexIndex>> faces;
 };
 
-// A prism over a polygon around the origin, its sides divided into triangles: the bends between them are those of
-// the polygon, and the diagonals are flat.
+// A prism over a polygon around the origin, its sides divided into triangles: the bends between the sides are those of the
+// polygon,
+// and the diagonals are flat.
 inline void add_prism(Solid& solid, Dice& dice, const Point& at, int most_sides = 9) {
   const int sides = dice(3, most_sides);
   const auto first = static_cast<scene::VertexIndex>(solid.vertices.size());

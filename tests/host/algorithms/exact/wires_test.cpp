@@ -1,5 +1,5 @@
-// Lines without faces: what is seen of them, worked out by hand, and `exact` against the oracle on random scenes with
-// lines inside, outside and through bodies, on their faces and along their edges.
+// Lines without faces: visible parts computed by hand, and `exact` compared with the oracle on random scenes with lines inside,
+// outside and through bodies, on their faces and along their edges.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -26,8 +26,9 @@ using scene::PolyScene;
 
 Interval part(std::int64_t low, std::int64_t high, std::int64_t over) { return {{low, over}, {high, over}}; }
 
-// A box from 0, 0, 0 to 10, 6, 4, seen along -1, -1, -1: its faces at x = 10, y = 6 and z = 4 are turned to the eye. A
-// point p behind it is hidden if p + t (1, 1, 1) is in the box for some t > 0.
+// A box from 0, 0, 0 to 10, 6, 4, seen along -1, -1, -1: its faces at x = 10, y = 6 and z = 4 face the eye. A point p behind it
+// is
+// hidden if p + t (1, 1, 1) is in the box for some t > 0.
 class Wires : public testing::TestWithParam<Maker> {
  protected:
   Wires() {
@@ -35,7 +36,7 @@ class Wires : public testing::TestWithParam<Maker> {
     builder_.scene().camera = {false, {}, {-1, -1, -1}, {1, 0, -1}, {-1, 2, -1}};
   }
 
-  // From `a` to `b`, in which order it is drawn.
+  // From `a` to `b`, in the direction of drawing.
   Intervals seen(const PolyPoint& a, const PolyPoint& b) {
     const scene::VertexIndex from = builder_.vertex(a);
     const scene::VertexIndex to = builder_.vertex(b);
@@ -50,7 +51,7 @@ class Wires : public testing::TestWithParam<Maker> {
 
 INSTANTIATE_TEST_SUITE_P(, Wires, testing::Values(exact_maker, oracle_maker), [](const auto& maker) { return maker.param.name; });
 
-// Before the face x = 10 from 15/20 on; behind the box, where z + t <= 4 at x + t = 0, from x = -2 on.
+// In front of the face x = 10 from 15/20 on; behind the box, where z + t <= 4 at x + t = 0, from x = -2 on.
 TEST_P(Wires, ALineThroughABoxIsHiddenInItAndBehindIt) {
   EXPECT_EQ(seen({-5, 3, 2}, {15, 3, 2}), (Intervals{part(0, 3, 20), part(3, 4, 4)}));
 }
@@ -77,8 +78,8 @@ TEST_P(Wires, NothingButLines) {
   EXPECT_EQ(seen.pieces, (std::vector<picture::LinePiece>{{{0, 1}, 0, 1}, {{1, 2}, 0, 1}}));
 }
 
-// A square of two triangles: its diagonal is drawn if a wire says so, its sides are what they are without one.
-TEST(WireKinds, AFlatEdgeAndALineOfItsOwn) {
+// A square of two triangles: a wire makes its diagonal visible; its sides are drawn as they are without a wire.
+TEST(WireKinds, AFlatEdgeAndASeparateLine) {
   PolyScene scene;
   scene.vertices = {{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}, {4, 4, 7}};
   scene.bodies = {{"", true, {{{0, 1, 2}, {}}, {{0, 2, 3}, {}}}}};
@@ -124,7 +125,7 @@ scene::PolyMesh cube_with_wires(Point (*placed)(const Point&)) {
   return mesh;
 }
 
-// How many wires are seen whole, and in part; the same by `exact` and by the oracle.
+// How many wires are visible completely, and partly; the same by `exact` and by the oracle.
 std::array<std::size_t, 2> wires_seen(const PolyScene& scene, const scene::PolyCamera& camera) {
   const picture::ChosenEdges chosen = picture::EdgeChooser(scene, *picture::edge_choice_named("wire")).at(camera);
   const picture::LinePicture picture = exact::visible_edges(exact::make_edge_mesh(scene), camera, &chosen);
@@ -134,7 +135,7 @@ std::array<std::size_t, 2> wires_seen(const PolyScene& scene, const scene::PolyC
   return counts;
 }
 
-// Turned, so that rounding leaves no wire in the plane of its face: three faces are turned to the eye, whatever it is.
+// Turned, so that rounding leaves no wire in the plane of its face: always three faces face the eye.
 TEST(RoundedWires, AreSeenOnTheirFaces) {
   const auto mesh = cube_with_wires([](const Point& p) -> Point {
     return {(2 * p[0] - 2 * p[1] + p[2]) / 3, (-0.4 * p[0] + p[1] + 2.8 * p[2]) / 3, (2.2 * p[0] + 2 * p[1] - 0.4 * p[2]) / 3};
@@ -149,8 +150,8 @@ TEST(RoundedWires, AreSeenOnTheirFaces) {
   EXPECT_EQ(wires_seen(import->scene, camera), (std::array<std::size_t, 2>{3, 0}));
 }
 
-// A tenth behind the face is behind it, if tenths are the steps of the file.
-TEST(RoundedWires, ShortNumbersAreMeantAsTheyAre) {
+// A tenth behind the face is behind it, if the file's numbers have one decimal.
+TEST(RoundedWires, NumbersWithFewDecimalsAreExact) {
   scene::PolyMesh mesh = cube_with_wires([](const Point& p) -> Point { return p; });
   const scene::PolyCamera camera{false, {}, {-1, -1, -1}, {1, 0, -1}, {-1, 2, -1}};
   const auto seen = [&] {
@@ -165,7 +166,7 @@ TEST(RoundedWires, ShortNumbersAreMeantAsTheyAre) {
   EXPECT_EQ(seen(), (std::array<std::size_t, 2>{2, 0}));
 }
 
-// Anywhere, a vertex, between two of a face, and where the line through two goes on.
+// Anywhere, at a vertex, between two vertices of a face, or on the extension of the line through two.
 PolyPoint random_end(Dice& dice, const PolyScene& scene, std::int32_t size) {
   const auto& body = scene.bodies[dice.below(scene.bodies.size())];
   const auto& ring = body.faces[dice.below(body.faces.size())].outline;

@@ -1,4 +1,4 @@
-// The widest arithmetic of Jones's search, where its signs are hard to tell.
+// The widest arithmetic of Jones's search, for signs that are hard to determine.
 #include "host/algorithms/jones/arithmetic.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ using geometry::Int128;
 
 class Numbers {
  public:
-  // Of any length up to `bits`, either sign; often 0 and powers of two, and one less.
+  // A number of any length up to `bits`, of either sign; often 0, a power of two, or one less.
   Int128 next(unsigned bits) {
     const auto length = static_cast<unsigned>(dice_() % (bits + 1));
     Int128 value = dice_() % 4 == 0 ? Int128{0}
@@ -29,7 +29,7 @@ class Numbers {
   std::mt19937_64 dice_{3};
 };
 
-// The sign tried in doubles first is the sign: also where a ray all but lies on the line.
+// The sign computed first in doubles is correct, also where a ray almost lies on the line.
 TEST(WideArithmetic, SignsAreExactWhereDoublesAreNot) {
   Numbers numbers;
   for (int i = 0; i < 5000; ++i) {
@@ -47,7 +47,7 @@ TEST(WideArithmetic, SignsAreExactWhereDoublesAreNot) {
   }
 }
 
-// Fractions with parts as long as they get, one unit apart.
+// Fractions with the longest possible parts, one unit apart.
 TEST(WideArithmetic, FractionsAreComparedExactly) {
   const Int128 most = (((Int128{1} << 126) - 1) << 1) + 1;
   const Fraction<Int128> larger{most - 1, most};

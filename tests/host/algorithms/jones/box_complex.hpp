@@ -1,4 +1,4 @@
-// Cell complexes of boxes, put together by hand for tests: independent of automatic decomposition.
+// Cell complexes of boxes, made by hand for tests: independent of automatic decomposition.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct BoxOpening {
   scene::CellNumber above = 0;
 };
 
-// The part of the segment between two points that is in a closed box; empty if that is a point or less.
+// The part of a segment in a closed box; empty if it is at most a point.
 inline std::optional<std::pair<geometry::Rational, geometry::Rational>> part_in_box(
     const scene::PolyPoint& from, const scene::PolyPoint& to, const geometry::Box& box) {
   geometry::Rational low = 0;
@@ -55,8 +55,8 @@ inline std::array<scene::HalfSpace, 4> sides_of(scene::CellComplexBuilder& build
           builder.at_least(u, bounds.low[u]), builder.at_least(v, bounds.low[v])};
 }
 
-// Cells, openings, and as lines what of the scene's edges is on a cell's closure. Faces of cells in the outer
-// box are openings to outside.
+// Cells and openings; as lines, the parts of the scene's edges on the closures of cells. Faces of cells in the outer box are
+// openings to the outside.
 inline scene::CellComplex complex_of_boxes(const scene::PolyScene& scene, const geometry::Box& outer,
                                            const std::vector<geometry::Box>& cells,
                                            const std::vector<BoxOpening>& openings) {

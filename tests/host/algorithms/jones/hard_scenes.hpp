@@ -1,9 +1,8 @@
-// Scenes with their cells and openings for hard cases that need more than a picture and counts. J1 to J17 as
-// such, with their inputs, are data of the report (host/compare/hard_cases/data) and tested there.
+// Scenes with cells and openings for hard cases that need more than a picture and counts. The inputs of J1 to J17 are data of the
+// report (host/compare/hard_cases/data) and are tested there.
 //
-// The eye is at the origin and looks along z. Corridor: cell 0 is z -100..100, cell i is z 100i..100(i+1), x
-// and y at most 50; between cells i-1 and i a wall with a portal at z = 100i. Walls are sheets; the outer box
-// is the corridor.
+// The eye is at the origin and looks along z. Corridor: cell 0 is z -100..100, cell i is z 100i..100(i+1), x and y at most 50;
+// between cells i-1 and i is a wall with a portal at z = 100i. Walls are sheets; the outer box is the corridor.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +26,7 @@ struct HardCase {
   [[nodiscard]] scene::CellComplex complex() const { return complex_of_boxes(scene, outer, cells, openings); }
 };
 
-// A wall without thickness, perhaps with a hole strictly inside it.
+// A wall without thickness, optionally with a hole strictly inside it.
 inline void add_wall(scene::PolyScene& scene, const geometry::Rectangle& wall,
                      const geometry::Rectangle* hole = nullptr) {
   const auto ring = [&scene](const geometry::Rectangle& r, bool forwards) {

@@ -1,5 +1,5 @@
-// Native Jones against `exact`, by ==, on the five scenes with their own cells and openings: from anywhere in
-// free space, looking anywhere, from outside, from openings and walls, in both projections.
+// Native Jones compared with `exact` by ==, on the five scenes with given cells and openings: from anywhere in free space, in any
+// direction, from outside, from openings and walls, in both projections.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -48,7 +48,7 @@ class Cameras {
   std::mt19937 dice_;
 };
 
-// A complex with an unused plane so long that views need numbers of another width.
+// A complex with an unused plane of such large coefficients that views need wider numbers.
 scene::CellComplex with_long_plane(scene::CellComplex complex, std::int64_t component) {
   complex.planes.push_back({{component, 1, 0}, 0});
   return complex;

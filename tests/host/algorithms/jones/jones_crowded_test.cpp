@@ -1,5 +1,5 @@
-// Cells with thousands of lines and openings, as the space around a building: the picture is exact, and a
-// view from a room touches little of them.
+// Cells with thousands of lines and openings, like the space around a building: the picture is exact, and a view from a room
+// visits few of them.
 #include <gtest/gtest.h>
 
 #include "host/algorithms/exact/visible_edges.hpp"
@@ -50,7 +50,7 @@ TEST_F(CrowdedBuilding, IsDrawnExactlyFromWithinAndWithout) {
   }
 }
 
-TEST_F(CrowdedBuilding, AViewThroughAnOuterDoorTouchesLittleOfTheWallOutside) {
+TEST_F(CrowdedBuilding, AViewThroughAnOuterDoorVisitsFewLinesOfTheWallOutside) {
   for (std::int32_t y = 0; y < rooms; ++y) {
     const jones::Counts counts = view(from_room(0, y)).counts;
     EXPECT_LT(counts.lines_clipped, 32 * counts.visits) << y;

@@ -1,7 +1,7 @@
-// Native Jones against `exact`, by ==, on the 500 generated scenes, cut into cells automatically: by the grid
-// where faces are parallel to the axes, and by the BSP, in turn. Each from 20 cameras: outside, orthographic,
-// and among the bodies; bricks have coordinates so small that eyes are in planes of faces and in line with
-// edges most of the time.
+// Native Jones compared with `exact` by ==, on the 500 generated scenes with automatic cell decomposition: by the grid where
+// faces
+// are axis-parallel, and by the BSP, in turn. Each from 20 cameras: outside, orthographic, and among the bodies; bricks have such
+// small coordinates that most eyes are in planes of faces and in line with edges.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace sightline::algorithms {
 namespace {
 
-// `exact` expects an eye off all faces; within the bounds of one and in its plane is near enough.
+// `exact` requires an eye that is on no face. This test rejects any eye in the plane and within the bounds of a face.
 bool on_a_face(const scene::PolyScene& scene, const scene::PolyPoint& eye) {
   const auto has_eye = [&](const scene::PolyFace& face) {
     const auto& ring = face.outline;
@@ -46,7 +46,7 @@ class GeneratedSet : public testing::TestWithParam<std::string_view> {
  protected:
   int compared_ = 0;
 
-  // One view of each complex in turn.
+  // Draws views of the complexes in turn.
   void expect_exact(const scene::PolyScene& scene, const std::vector<scene::CellComplex>& complexes,
                     std::uint32_t seed, const std::string& where) {
     std::vector<jones::PreparedComplex> prepared(complexes.begin(), complexes.end());
@@ -88,7 +88,7 @@ class GeneratedSet : public testing::TestWithParam<std::string_view> {
   }
 };
 
-TEST_P(GeneratedSet, IsSeenAsExactSaysAfterAutomaticDecomposition) {
+TEST_P(GeneratedSet, EqualsExactAfterAutomaticDecomposition) {
   for (const scene::GeneratedSceneName& name : scene::generated_set()) {
     if (name.family != GetParam()) continue;
     const auto scene = *scene::generate_scene(name.family, name.size, name.seed);

@@ -1,5 +1,5 @@
-// Hard cases of native Jones beyond the report's (host/compare/hard_cases/data): other ways to look,
-// other ways to say the same opening, and what cannot be looked at.
+// Hard cases of native Jones beyond the report's (host/compare/hard_cases/data): other views, other descriptions of the same
+// opening, and invalid views.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,8 +27,8 @@ jones::View view_of(const scene::CellComplex& complex, const scene::PolyCamera& 
   return std::move(*result);
 }
 
-// J3: of two rooms the one on the side looked into is seen, all of it that is before the eye.
-TEST(JonesHardCases, EyeOnAWallIsOnTheSideLookedInto) {
+// J3: of two rooms the one in the viewing direction is visible, as far as it is in front of the eye.
+TEST(JonesHardCases, EyeOnAWallIsOnTheSideOfTheViewingDirection) {
   const geometry::Box left{{-50, -50, -100}, {0, 50, 100}};
   const geometry::Box right{{0, -50, -100}, {50, 50, 100}};
   scene::PolyScene scene;
@@ -51,7 +51,7 @@ TEST(JonesHardCases, EyeOnAWallIsOnTheSideLookedInto) {
   EXPECT_EQ(rooms_seen({0, 0, 1}, {0, 1, 0}, {-1, 0, 0}), the_left) << "up";
 }
 
-// J4: the edges through the eye are points; the nine others are seen whole.
+// J4: the edges through the eye are points; the nine others are visible completely.
 TEST(JonesHardCases, EyeInACornerSeesNineEdges) {
   scene::PolyScene scene;
   const geometry::Box room{{0, 0, 0}, {100, 100, 100}};
@@ -75,7 +75,7 @@ TEST(JonesHardCases, EyeInACornerSeesNineEdges) {
   EXPECT_EQ(lines.size(), 9U);
 }
 
-// J6: on a wall behind a portal, a line that only touches the mask's corner is not drawn, one inside is.
+// J6: on a wall behind a portal, a line that only touches the mask's corner is not drawn; a line inside is.
 TEST(JonesHardCases, ALineThatTouchesACornerOfTheMaskIsNotDrawn) {
   HardCase hard = corridor({portal(100, {-10, 10}, {-10, 10}), portal(200, {-4, 4}, {-4, 4})}, 300);
   const auto first = static_cast<scene::VertexIndex>(hard.scene.vertices.size());
@@ -91,7 +91,7 @@ TEST(JonesHardCases, ALineThatTouchesACornerOfTheMaskIsNotDrawn) {
   EXPECT_TRUE(drawn.contains({first + 1, first + 2}));
 }
 
-// J9, J16: the avenues of Fig. 5, the kitchen seen twice.
+// J9, J16: the paths of Fig. 5; the kitchen is visited twice.
 TEST(JonesHardCases, TheHouseIsSearchedAsInThePaper) {
   const scene::CellScene cells = scene::builtin_scene("house");
   const scene::PolyScene scene = scene::poly_scene_of(cells);
@@ -101,7 +101,7 @@ TEST(JonesHardCases, TheHouseIsSearchedAsInThePaper) {
   EXPECT_EQ(view.counts.depth, 3U);
 }
 
-// J10: the plane through (0,0) and (131071,1) and the line from (0,0) to (131070,1) cross in (0,0) only.
+// J10: the plane through (0,0) and (131071,1) and the line from (0,0) to (131070,1) cross only at (0,0).
 TEST(JonesHardCases, NearlyParallelLinesCrossExactly) {
   const std::int64_t at_end = std::int64_t{131071} * 1 - std::int64_t{131070} * 1;
   jones::Stretch<std::int64_t> above{{0, 1}, {1, 1}};
@@ -128,7 +128,7 @@ TEST(JonesHardCases, EyeInLineWithWalls) {
 }
 
 // J17: a side given twice, by two planes through the same line.
-TEST(JonesHardCases, SidesInOneLineDoNotPileUp) {
+TEST(JonesHardCases, SidesInOneLineAreMerged) {
   const HardCase hard = corridor({portal(100, {0, 40}, {0, 20})}, 200);
   scene::CellComplex complex = hard.complex();
   scene::ComplexOpening& opening = complex.openings.back();
@@ -149,12 +149,12 @@ TEST(JonesHardCases, SidesInOneLineDoNotPileUp) {
   EXPECT_EQ(view.counts.mask_sides, 4U);
 }
 
-TEST(JonesHardCases, AnEyeThatCannotBeIsAnError) {
+TEST(JonesHardCases, AnInvalidEyeIsAnError) {
   const scene::PolyScene scene = scene::generate_boxes(1);
   const auto result = scene::decompose_grid(scene);
   const auto& complex = *result;
   scene::PolyCamera camera = scene.camera;
-  const geometry::Box box = scene::outer_box_of(scene);  // of the one solid, and 1 more
+  const geometry::Box box = scene::outer_box_of(scene);  // of the one solid, plus 1
   camera.eye = {box.low[0] + 10, box.low[1] + 10, box.low[2] + 10};
   EXPECT_EQ(jones::visible_edges(complex, camera).error(), base::bad_input(jones::eye_in_solid));
   camera.eye[0] = 1 << 18;

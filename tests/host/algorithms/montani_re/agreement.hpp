@@ -1,4 +1,4 @@
-// The drawing of a generated scene, compared with `exact`.
+// Compares the drawing of a generated scene with `exact`.
 #pragma once
 
 #include <map>
@@ -16,7 +16,7 @@ namespace sightline::algorithms::montani_re {
 struct Agreement {
   int views = 0;
   int equal = 0;       // by ==
-  int same_image = 0;  // the same points, of other edges
+  int same_image = 0;  // the same points, but on other edges
   std::string first_wrong;
 };
 
@@ -42,7 +42,7 @@ inline void compare_view(const scene::PolyScene& scene, const scene::PolyCamera&
   }
 }
 
-// Of the generated set, every `step`-th scene from its own camera and from random ones.
+// Compares every `step`-th scene of the generated set from its own camera and from random ones.
 inline std::map<std::string, Agreement> compare_generated_set(std::size_t step, int views) {
   std::map<std::string, Agreement> families;
   const auto names = scene::generated_set();

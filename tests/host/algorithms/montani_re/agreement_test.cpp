@@ -1,4 +1,4 @@
-// Montani and Re's algorithm against `exact`, and against itself with one silhouette of the whole scene.
+// Montani and Re's algorithm compared with `exact`, and with its variant that uses one silhouette for the whole scene.
 #include "tests/host/algorithms/montani_re/agreement.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(MontaniReAgreement, CubesThatTouchAndCubesInLine) {
   }
 }
 
-// No generic picture may need the weaker comparison.
+// In general position no picture may need the weaker comparison.
 TEST(MontaniReAgreement, ScenesInGeneralPositionAreEqualPieceByPiece) {
   for (const scene::PolyScene& scene :
        {scene::generate_boxes(100), scene::generate_town(25), scene::generate_triangles(100)}) {
@@ -52,7 +52,7 @@ TEST(MontaniReAgreement, OneSilhouetteOrNeighboursIsTheSame) {
     const VisibleRegions by_silhouette = visible_regions(set, Silhouette::whole);
     EXPECT_TRUE(edges_of_regions(set, by_neighbours.regions) == edges_of_regions(set, by_silhouette.regions))
         << scene.name;
-    // I9: what is seen adds up to the union of all faces.
+    // I9: the visible parts add up to the union of all faces.
     TrapezoidPcs covered;
     double sum = 0;
     for (std::size_t f = 0; f < set.faces.size(); ++f) {

@@ -1,4 +1,4 @@
-// The whole generated set against `exact`, from more cameras than an unoptimised build can draw in time.
+// The whole generated set compared with `exact`, from more cameras than an unoptimised build can draw in reasonable time.
 #include <gtest/gtest.h>
 
 #include "tests/host/algorithms/montani_re/agreement.hpp"

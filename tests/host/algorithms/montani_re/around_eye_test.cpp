@@ -1,4 +1,4 @@
-// Perspective from among the faces: faces that reach from before the eye to behind it, compared with `exact`.
+// Perspective from among the faces: faces that extend from in front of the eye to behind it, compared with `exact`.
 #include <gtest/gtest.h>
 
 #include <string_view>
@@ -40,7 +40,7 @@ TEST(MontaniReAroundEye, GeneratedScenes) {
   }
 }
 
-// Rooms around the eye, whose walls end on each other.
+// The eye is in a room whose walls end on each other.
 TEST(MontaniReAroundEye, CellScenes) {
   for (const std::string_view name : scene::builtin_scene_names()) {
     const auto cells = scene::load_cell_scene(std::string(name));
@@ -52,8 +52,8 @@ TEST(MontaniReAroundEye, CellScenes) {
   }
 }
 
-// A room of one box turned inside out, its walls parallel to the camera's axes: edges lie beside the eye, on
-// borders of pyramids and in them.
+// A room of one box turned inside out, its walls parallel to the camera's axes: edges pass the eye on borders of the pyramids and
+// inside them.
 TEST(MontaniReAroundEye, WallsInLineWithThePyramids) {
   scene::PolyScene scene;
   scene.name = "room";
@@ -78,7 +78,7 @@ TEST(MontaniReAroundEye, WallsInLineWithThePyramids) {
   }
 }
 
-TEST(MontaniReAroundEye, FacesOfOneSetAreRefusedByName) {
+TEST(MontaniReAroundEye, ErrorsNameTheFaces) {
   scene::PolyScene scene = scene::generate_rooms(2);
   scene.camera = {true, {500, 500, 300}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const auto set = faces_of(scene, scene.camera);

@@ -1,5 +1,6 @@
-// The hard cases of list priority, on the inputs that the report has of them: cycles, faces that hide each
-// other, faces that pass through each other, coplanar and edge-on ones, extents that touch.
+// The hard cases of list priority, on the report's inputs: cycles, faces that hide each other, faces that pass through each
+// other,
+// coplanar and edge-on faces, extents that touch.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -19,7 +20,7 @@ Areas seen_areas(const FaceSet& set) {
   return areas_of(set, visible_regions(set));
 }
 
-// A sheet a face.
+// One sheet per face.
 FaceSet case_set(const std::string& name) {
   const scene::PolyScene scene = scene::hard_case_scene(name);
   return *faces_of(scene, scene.camera);
@@ -40,7 +41,7 @@ TEST(MontaniReHardCases, M1PinwheelOfFour) {
   EXPECT_EQ(seen.counts.cuts, 1U);
 }
 
-// Pinwheels moved apart do not disturb each other; moved over each other in depth they make one list.
+// Separate pinwheels do not affect each other; pinwheels that overlap in depth form one list.
 TEST(MontaniReHardCases, M2CyclesApartAndBehindEachOther) {
   const FaceSet set = case_set("M2.json");
   const VisibleRegions seen = visible_regions(set);
@@ -55,7 +56,7 @@ TEST(MontaniReHardCases, M2CyclesThatShareAFace) {
   EXPECT_EQ(seen.counts.cuts, 2U);
 }
 
-// n bars about a regular hole, each before the next: 3 to 12 of them, one cut.
+// n bars around a regular hole, each in front of the next: 3 to 12 bars, one cut.
 TEST(MontaniReHardCases, M2PinwheelsOfThreeToTwelve) {
   const std::vector<std::array<std::int64_t, 2>> ring{{100, 0},   {87, 50},  {50, 87},  {0, 100},
                                                       {-50, 87},  {-87, 50}, {-100, 0}, {-87, -50},
@@ -65,7 +66,7 @@ TEST(MontaniReHardCases, M2PinwheelsOfThreeToTwelve) {
     for (std::size_t k = 0; k < n; ++k) {
       const auto& p = ring[k * 12 / n];
       const auto& q = ring[(k + 1) % n * 12 / n];
-      // From p, deep, beyond q, near; broad to the outside.
+      // From p, far, past q, near; wide towards the outside.
       const auto at = [&](std::int64_t along, std::int64_t out) {
         return Vertex{4 * p[0] + along * (q[0] - p[0]) + out * (p[0] + q[0]),
                       4 * p[1] + along * (q[1] - p[1]) + out * (p[1] + q[1]), -200 * along};
@@ -83,7 +84,7 @@ TEST(MontaniReHardCases, M2PinwheelsOfThreeToTwelve) {
   }
 }
 
-// Figure 10, two instances: the paper gives it up.
+// Figure 10, two instances: the paper does not resolve it.
 TEST(MontaniReHardCases, M3FacesThatHideEachOther) {
   const FaceSet set = case_set("M3.json");
   const VisibleRegions seen = visible_regions(set);
@@ -104,7 +105,7 @@ TEST(MontaniReHardCases, M4FacesThroughEachOtherAreNamed) {
 }
 
 TEST(MontaniReHardCases, M5CoplanarOverlapping) {
-  // No relation: both go to the BACK list; with one silhouette the area is counted once.
+  // Without a relation both go to the BACK list; with one silhouette the area is counted once.
   const FaceSet set = case_set("M5.json");
   const VisibleRegions seen = visible_regions(set, Silhouette::whole);
   EXPECT_EQ(seen.counts.relations, 0U);
@@ -119,7 +120,7 @@ TEST(MontaniReHardCases, M6CoplanarNeighboursStayApart) {
 
 TEST(MontaniReHardCases, M13AndM14ExtentsThatTouch) {
   EXPECT_EQ(visible_regions(case_set("M13.json")).counts.relations, 0U);
-  // Z extents that touch fall to the plane tests, which know: a ramp from the far edge of a square backwards.
+  // Touching Z extents are decided by the plane tests: a ramp from the far edge of a square backwards.
   FaceSet set = case_set("M14.json");
   for (const Areas& expected : {Areas{100, 50}, Areas{50, 100}}) {
     const VisibleRegions seen = visible_regions(set);
@@ -130,7 +131,7 @@ TEST(MontaniReHardCases, M13AndM14ExtentsThatTouch) {
   }
 }
 
-// M15: the inner loop may stop only because faces are sorted; a wide face given last hides all before it.
+// M15: the inner loop may stop only because faces are sorted; a wide face given last hides all faces before it.
 TEST(MontaniReHardCases, M15TheSortIsOnLowestX) {
   EXPECT_EQ(seen_areas(case_set("M15.json")), (Areas{0, 0, 0, 2000}));
 }
@@ -142,7 +143,7 @@ TEST(MontaniReHardCases, M16EdgeOnFacesAreLeftOut) {
   EXPECT_EQ(seen_areas(set), (Areas{100}));
 }
 
-// M9: a triangle far lower than anything near it is exact all the same.
+// M9: a triangle much flatter than anything near it is still exact.
 TEST(MontaniReHardCases, M9Slivers) {
   EXPECT_EQ(seen_areas(case_set("M9.json")), (Areas{500, 20000 - 500}));
 }
@@ -167,7 +168,7 @@ TEST(MontaniReHardCases, M17Tables3And4) {
   EXPECT_EQ(named(list.classes()), "SE/UC/RA/F/");
 }
 
-// The same from faces: rectangles in a row, for Figure 4 is not legible.
+// The same from faces: rectangles in a row, because Figure 4 is illegible.
 TEST(MontaniReHardCases, M17TheListOfTable4) {
   const scene::PolyScene scene = scene::hard_case_scene("M17.json");
   const FaceSet set = case_set("M17.json");

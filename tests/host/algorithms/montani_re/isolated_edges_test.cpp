@@ -1,5 +1,5 @@
-// Lines that bound no region: walls that end on the back of other walls, sheets seen edge-on. `exact` and the
-// oracle draw them.
+// Lines that bound no region: walls that end on the back of other walls, and sheets seen edge-on. `exact` and the oracle draw
+// them.
 #include "host/algorithms/montani_re/isolated_edges.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 using picture::LineEdge;
 
-// A triangle in z = 0 and a second that ends in the midst of it, on the side of `tip`.
+// A triangle in z = 0 and a second one that ends inside it, on the side of `tip`.
 scene::PolyScene touching(std::int32_t tip) {
   scene::PolyScene scene;
   scene.name = "touching";
@@ -79,7 +79,7 @@ TEST(IsolatedEdges, MayRunFromCornerToCornerOfTheSheet) {
   expect_agreement(scene, along_z());
 }
 
-TEST(IsolatedEdges, LeaveHolesAlone) {
+TEST(IsolatedEdges, DoNotCrossHoles) {
   scene::PolyScene scene = touching(5);
   const auto first = static_cast<scene::VertexIndex>(scene.vertices.size());
   scene.vertices.insert(scene.vertices.end(), {{-9, -9, 0}, {-9, 30, 0}, {30, 30, 0}, {30, -9, 0}});
@@ -88,8 +88,8 @@ TEST(IsolatedEdges, LeaveHolesAlone) {
   expect_agreement(scene, along_z());
 }
 
-// A face that is behind the sheet at its edge and reaches round it to the front elsewhere.
-TEST(IsolatedEdges, AreJudgedByTheFaceBesideThem) {
+// A face that is behind the sheet at its edge and passes around it to the front elsewhere.
+TEST(IsolatedEdges, DependOnTheAdjacentFace) {
   scene::PolyScene scene = touching(5);
   scene.vertices[3] = {1, 2, 0};
   scene.vertices[4] = {3, 2, 0};
@@ -101,8 +101,8 @@ TEST(IsolatedEdges, AreJudgedByTheFaceBesideThem) {
   expect_agreement(scene, along_z());
 }
 
-// A box standing on the back, too, and something before all of it.
-TEST(IsolatedEdges, AreHiddenByWhatIsNearer) {
+// A box stands on the back, too, and another is in front of all.
+TEST(IsolatedEdges, AreHiddenByNearerFaces) {
   scene::PolyScene scene = touching(5);
   add_sheet(scene, {{2, 0, -3}, {3, 0, -3}, {3, 9, -2}, {2, 9, -2}});
   expect_agreement(scene, along_z());
@@ -127,8 +127,9 @@ TEST(IsolatedEdges, OfASheetSeenEdgeOn) {
   }
 }
 
-// A sheet in the plane of the eye, behind two that share a side on it, or behind one whose outline lies on it: nothing of the farther
-// sheet is drawn, and the picture is that of `exact`, which has the outline. Beyond the end of the outline it is.
+// A sheet in the plane of the eye, behind two sheets that share a side there or behind one whose outline is there: the far sheet
+// is
+// not drawn, and the picture equals that of `exact`, which has the outline. Beyond the end of the outline the far sheet is drawn.
 TEST(IsolatedEdges, ExactlyBehindAnOutlineAreNotDrawn) {
   for (const bool both : {true, false}) {
     scene::PolyScene scene;
@@ -144,7 +145,7 @@ TEST(IsolatedEdges, ExactlyBehindAnOutlineAreNotDrawn) {
     };
     EXPECT_EQ(near(), 0U) << both;
     expect_agreement(scene, camera);
-    scene.vertices[7] = {0, 30, 20};  // above the outline, whose end it sees at y = 18
+    scene.vertices[7] = {0, 30, 20};  // above the outline, whose end appears at y = 18
     EXPECT_GT(near(), 0U) << both;
     expect_agreement(scene, camera);
   }

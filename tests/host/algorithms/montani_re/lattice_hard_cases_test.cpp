@@ -1,5 +1,6 @@
-// The hard cases M7 to M18 that are regions on the lattice: a region is what lies inside an odd number of its
-// chains. Areas and loops of the exact regions, the same in stripes of a step, and counted square by square.
+// Those of the hard cases M7 to M18 that are regions on the lattice. A region contains the points inside an odd number of its
+// chains.
+// The areas and loops of exact regions are compared with stripes of one step, and with counted squares.
 //
 // A file has one chain per line: the name of the region, the starting point, links (0 east, 1 north-east,
 // ... 7 south-east).
@@ -34,7 +35,7 @@ struct Region {
     EXPECT_TRUE(made) << "a chain does not close";
     return made.value_or(LatticePcs{});
   }
-  // A point in sixths of a step, none of whose coordinates is a corner's.
+  // A point in sixths of a step whose coordinates differ from those of all corners.
   [[nodiscard]] bool holds(const LatticePoint& place) const {
     constexpr std::array<LatticePoint, 8> steps{
         {{6, 0}, {6, 6}, {0, 6}, {-6, 6}, {-6, 0}, {-6, -6}, {0, -6}, {6, -6}}};
@@ -85,7 +86,7 @@ Loops loops_of(const LatticePcs& pcs) {
 
 constexpr std::int32_t frame = 128;  // steps; no corner is farther
 
-// Of a face whose sides cross where they will, in stripes of a step.
+// For a face whose sides cross anywhere, in stripes of one step.
 StripePcs in_stripes(const LatticePcs& pcs) {
   FaceSetBuilder builder(false);
   Rings rings;
@@ -142,7 +143,7 @@ std::int64_t counted_eighths(const Pair& pair, Take take) {
   return eighths;
 }
 
-// stripes_differ: by how much of a square step stripes of a step may be off, where sides cross inside one.
+// stripes_differ: the largest error, in square steps, of stripes of one step where sides cross inside a step.
 void expect_region(const std::string& file, Take take, double area, std::size_t loop_count,
                    double stripes_differ = 0) {
   SCOPED_TRACE(file);
@@ -166,7 +167,7 @@ TEST(LatticeHardCases, M8HolesThatTouch) {
 TEST(LatticeHardCases, M10NoEdgeBetweenUnitedRectangles) {
   expect_region("M10.txt", Take::either, 100, 1);
 }
-// Sides that cross inside a stripe: the doubled lattice is exact, stripes of a step are off by 1/256.
+// Sides that cross inside a stripe: the doubled lattice is exact; stripes of one step are off by 1/256.
 TEST(LatticeHardCases, M11SidesThatCrossInsideASquare) {
   expect_region("M11.txt", Take::first, 0.5, 1);
   expect_region("M11.txt", Take::both, 0.25, 1, 1.0 / 256);

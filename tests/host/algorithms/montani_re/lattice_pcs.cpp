@@ -25,7 +25,7 @@ bool before(const LatticeSide& a, const LatticeSide& b) {
   return middle_a != middle_b ? middle_a < middle_b : a.bottom < b.bottom;
 }
 
-// Equal sides vanish in pairs.
+// Equal sides cancel in pairs.
 LatticePcs from_sides(std::vector<PlacedSide> sides) {
   std::sort(sides.begin(), sides.end(), [](const PlacedSide& a, const PlacedSide& b) {
     return a.y != b.y ? a.y < b.y : before(a.side, b.side);
@@ -63,7 +63,7 @@ const std::vector<LatticeSide>& sides_at(const LatticePcs& pcs, std::size_t inde
                                                                            : none;
 }
 
-// Both lists from west to east; a side of the result is where `keep` changes.
+// Both lists are ordered from west to east; the result has a side wherever `keep` changes.
 template <class Keep>
 std::vector<LatticeSide> combine(const std::vector<LatticeSide>& a, const std::vector<LatticeSide>& b,
                                  Keep keep) {

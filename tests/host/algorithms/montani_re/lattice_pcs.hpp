@@ -2,14 +2,15 @@
 // cut into horizontal stripes, every stripe a row of trapezoids. Source: Montani and Re (1985), section 2 and
 // Table 1.
 //
-// A side runs through one stripe; it is of type 1 ("/"), 2 ("|") or 3 ("\"). Inside, everything is kept on
-// the doubled lattice (unit: half a lattice step): a "/" and a "\" in one square cross in its middle, which
-// is a lattice point only then. All diagonals keep an even x + y where they cross a line of the lattice, so
-// that no two sides ever cross inside a half stripe and the algebra is closed and exact: stripes of a fixed thickness
-// (host/algorithms/montani_re/stripes.hpp) are compared with it.
+// A side passes through one stripe; it is of type 1 ("/"), 2 ("|") or 3 ("\"). Internally everything is on the doubled lattice
+// (unit: half a lattice step): a "/" and a "\" in one square cross in its middle, which is a point only of the doubled lattice.
+// All diagonals keep an even x + y where they cross a line of the lattice, so that no two sides cross inside a half stripe. The
+// algebra is therefore closed and exact: stripes of a fixed thickness (host/algorithms/montani_re/stripes.hpp) are compared with
+// it.
 //
-// Laws: stripes ascend, sides in a stripe ascend by the sum of their two abscissas, their number is even and
-// never 0, no two are equal; two sets of the same points are therefore equal by ==.
+// Laws: stripes ascend; the sides in a stripe ascend by the sum of their two abscissas; their number is even and not 0; no two
+// are
+// equal. Two sets of the same points are therefore equal by ==.
 #pragma once
 
 #include <cstdint>
@@ -44,7 +45,7 @@ struct LatticeSide {
   [[nodiscard]] constexpr SideType type() const {
     return top > bottom ? SideType::rising : top < bottom ? SideType::falling : SideType::vertical;
   }
-  // What Table 1 prints: the smaller of the two.
+  // The value that Table 1 prints: the smaller abscissa.
   [[nodiscard]] constexpr std::int32_t abscissa() const { return top < bottom ? top : bottom; }
   friend bool operator==(const LatticeSide&, const LatticeSide&) = default;
   friend auto operator<=>(const LatticeSide&, const LatticeSide&) = default;
@@ -64,11 +65,13 @@ struct LatticePcs {
   friend bool operator==(const LatticePcs&, const LatticePcs&) = default;
 };
 
-// The points inside an odd number of the chains, whatever their direction. Empty if a chain does not close
-// or has a link that is not a digit 0..7. Coordinates stay below 2^29.
+// The points inside an odd number of the chains, in either orientation. Empty if a chain does not close or has a link that is not
+// a
+// digit 0..7. Coordinates stay below 2^29.
 [[nodiscard]] std::optional<LatticePcs> lattice_pcs(std::span<const FreemanChain> chains);
-// The same from closed polygons whose corners are in half steps and whose lines have lattice directions
-// (precondition; corners of lines that are diagonal have an even x + y).
+// The same from closed polygons with corners in half steps and lines in lattice directions (precondition; corners of diagonal
+// lines
+// have an even x + y).
 [[nodiscard]] LatticePcs lattice_pcs_of_half_steps(std::span<const std::vector<LatticePoint>> loops);
 
 // Stripes of a whole step, as in Table 1. Empty if a corner of the set is not a lattice point.
@@ -82,15 +85,16 @@ struct LatticePcs {
 // Eight times the area in square steps.
 [[nodiscard]] std::int64_t eightfold_area(const LatticePcs& pcs);
 
-// Corners in half steps, the inside to the left: an outline has a positive area, a hole a negative one.
+// Corners in half steps with the inside to the left: an outline has a positive area, a hole a negative one.
 struct LatticeLoop {
-  std::vector<LatticePoint> corners;  // lines that go straight on are joined
+  std::vector<LatticePoint> corners;  // collinear lines are joined
 
   [[nodiscard]] std::int64_t eightfold_area() const;
 };
 
-// Loops that only touch are apart. Horizontal pieces are where there is coverage above xor below; the lines
-// between stripes are never part of a boundary.
+// Loops that only touch are separate. Horizontal pieces are where there is coverage above xor below; the lines between stripes
+// are
+// never part of a boundary.
 [[nodiscard]] std::vector<LatticeLoop> boundary_of(const LatticePcs& pcs);
 
 struct OwnedChain {

@@ -1,5 +1,6 @@
-// Stripes on the lattice: Table 1 of the paper entry by entry, chains and back, set operations against four
-// bits a square, outlines and holes.
+// Stripes on the lattice: Table 1 of the paper entry by entry, conversion to chains and back, set operations compared with four
+// bits
+// per square, outlines and holes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 namespace sightline::algorithms::montani_re {
 namespace {
 
-// Figure 1 is not legible; with these chains and the paper's starting points Table 1 comes out.
+// Figure 1 is illegible; these chains, with the paper's starting points, give Table 1.
 const std::array<FreemanChain, 3> figure_1{{{{6, 11}, "6666666664222222253666666642222222220710"},
                                             {{12, 2}, "22231222344466666666602222076660"},
                                             {{11, 8}, "23466601"}}};
@@ -43,7 +44,7 @@ TEST(LatticePcs, Table1) {
   EXPECT_EQ(ours, table);
 }
 
-TEST(LatticePcs, ChainsOfFigure1ComeBack) {
+TEST(LatticePcs, ChainsOfFigure1RoundTrip) {
   const LatticePcs pcs = lattice_pcs(figure_1).value();
   const auto loops = boundary_of(pcs);
   ASSERT_EQ(loops.size(), 3U);
@@ -65,7 +66,7 @@ TEST(LatticePcs, ChainsOfFigure1ComeBack) {
   EXPECT_EQ(lattice_pcs(given), pcs);
 }
 
-TEST(LatticePcs, ChainsThatDoNotCloseAreRefused) {
+TEST(LatticePcs, ChainsThatDoNotCloseAreErrors) {
   const std::array<FreemanChain, 1> open{{{{0, 0}, "0022"}}};
   const std::array<FreemanChain, 1> strange{{{{0, 0}, "0248"}}};
   EXPECT_FALSE(lattice_pcs(open).has_value());
@@ -76,7 +77,7 @@ TEST(LatticePcs, TwoThousandSetOperations) {
   EXPECT_EQ(wrong_set_operations(1985, 667), 0);
 }
 
-TEST(LatticePcs, ThereAndBackForRandomSets) {
+TEST(LatticePcs, RandomSetsRoundTrip) {
   RandomPolygons random(3);
   for (int round = 0; round < 300; ++round) {
     const LatticePcs pcs = pcs_of(random.polygons());

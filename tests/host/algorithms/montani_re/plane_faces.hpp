@@ -1,4 +1,4 @@
-// Faces written down by hand, seen along +z without perspective: X to the right, Y up, smaller Z is nearer.
+// Faces given by hand, seen along +z in orthographic projection: X to the right, Y up, smaller Z is nearer.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// Outlines and holes of exact regions. Their areas are summed in rational numbers, by loops and by
-// trapezoids: the two share nothing but the corners.
+// Outlines and holes of exact regions. Their areas are summed in rational numbers, by loops and by trapezoids; the two sums share
+// only the corners.
 #include "host/algorithms/montani_re/region_boundary.hpp"
 
 #include <gmpxx.h>
@@ -56,7 +56,7 @@ mpq_class exact_area(const Image& image, const TrapezoidPcs& region) {
   return sum;
 }
 
-// Whether every corner is one: no three in a row on a line.
+// Whether no three consecutive corners are collinear.
 bool all_corners_turn(const Image& image, const RegionLoop& loop) {
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const auto a = point(image, loop[i]);
@@ -122,7 +122,7 @@ TEST(MontaniReRegionBoundary, AClassLosesTheEdgesItsFacesShare) {
   EXPECT_EQ(exact_area(set.image, loops[0]), 200);
 }
 
-// M8: squares that touch in a corner are two loops; a hole that touches the outline is a dent in it.
+// M8: squares that touch in a corner are two loops; a hole that touches the outline becomes part of it.
 TEST(MontaniReRegionBoundary, LoopsThatOnlyTouchAreApart) {
   const FaceSet set = face_set({rectangle(0, 0, 10, 10, 0), rectangle(10, 10, 20, 20, 0)});
   const std::array<TrapezoidPcs, 2> regions{set.faces[0].pcs, set.faces[1].pcs};
@@ -132,11 +132,11 @@ TEST(MontaniReRegionBoundary, LoopsThatOnlyTouchAreApart) {
       {{{{0, 0, 0}, {20, 0, 0}, {20, 20, 0}, {0, 20, 0}}, {{10, 0, 0}, {15, 5, 0}, {10, 10, 0}, {5, 5, 0}}}});
   const auto loops = boundary_of(pinched.image, pinched.faces[0].pcs);
   ASSERT_EQ(loops.size(), 1U);
-  EXPECT_EQ(loops[0].size(), 9U);  // one of them twice
+  EXPECT_EQ(loops[0].size(), 9U);  // one corner occurs twice
   EXPECT_EQ(exact_area(pinched.image, loops[0]), 350);
 }
 
-TEST(MontaniReRegionBoundary, OfNothingIsNothing) {
+TEST(MontaniReRegionBoundary, OfAnEmptyRegionIsEmpty) {
   EXPECT_TRUE(boundary_of(Image(false), {}).empty());
 }
 

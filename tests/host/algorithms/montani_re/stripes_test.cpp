@@ -1,5 +1,4 @@
-// Stripes of one thickness: the two ways to a raster are the same, and both come nearer to the truth as
-// stripes become thinner.
+// Stripes of one thickness: both ways to make a raster agree, and both converge to the exact picture as stripes become thinner.
 #include "host/algorithms/montani_re/stripes.hpp"
 
 #include <gtest/gtest.h>
@@ -78,7 +77,8 @@ double mismatch(const FaceSet& set, const StripeRaster& raster, const StripeFram
   return wrong / double(raster.width * raster.height);
 }
 
-// Back to front, each face over those before. A pixel is lit by its centre: on a west side it belongs to what is east of it.
+// Paints back to front, each face over the earlier ones. A pixel is lit by its centre; on a west side it belongs to the face east
+// of it.
 std::vector<std::uint32_t> faces_by_overwriting(const FaceSet& set, const ListedFaces& seen, const StripeFrame& frame,
                                                 std::int32_t units) {
   constexpr std::int64_t pixel = 16 * 65536;
@@ -118,7 +118,7 @@ TEST(MontaniReStripes, DifferenceAndOverwritingAreTheSame) {
   }
 }
 
-TEST(MontaniReStripes, ThinnerStripesAreNearerToTheTruth) {
+TEST(MontaniReStripes, ThinnerStripesHaveSmallerErrors) {
   const FaceSet set = set_of(scene::generate_boxes(12));
   const ListedFaces seen = listed_faces(set);
   const StripeFrame frame = frame_of(set, 128);
@@ -132,7 +132,7 @@ TEST(MontaniReStripes, ThinnerStripesAreNearerToTheTruth) {
     if (units == 2) first = wrong;
     RecordProperty("share_" + std::to_string(units), std::to_string(wrong));
   }
-  // h is 32 times less, and so would the error be if pixels were not counted whole.
+  // h is 32 times smaller; so would the error be if it were not counted in whole pixels.
   EXPECT_LT(before, first / 16);
 }
 
@@ -149,7 +149,7 @@ TEST(MontaniReStripes, CornersOnLinesBetweenStripesAreExact) {
   }
 }
 
-// A cycle and faces that hide each other come right in stripes, too.
+// A cycle and faces that hide each other are resolved in stripes, too.
 TEST(MontaniReStripes, CyclesAreCutInStripes) {
   const PlaneFace portal{
       {{0, 0, 0}, {8, 0, 0}, {8, 32, 0}, {24, 32, 0}, {24, 0, 0}, {32, 0, 0}, {32, 40, 0}, {0, 40, 0}}};

@@ -1,6 +1,8 @@
-// Lattice regions as four bits a square, an independent second form: every square is cut by its diagonals
-// into a south, east, north and west triangle, and a lattice region contains each of them wholly or not.
-// Whether it does is asked of the polygon itself, by crossings of a ray, and of stripes by counting sides.
+// Lattice regions as four bits per square, an independent representation: the diagonals cut every square into a south, east,
+// north
+// and west triangle, and a lattice region contains each triangle completely or not at all. For a polygon this is determined by
+// the
+// crossings of a ray, for stripes by counting sides.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +27,7 @@ struct LatticePolygon {
   std::vector<LatticePoint> corners;  // in whole steps
 };
 
-// Even-odd, with a ray to the west; the points' ordinates are never those of corners.
+// Even-odd, with a ray to the west; the points' ordinates differ from those of all corners.
 inline Tetrakis tetrakis_of(const std::vector<LatticePolygon>& polygons) {
   Tetrakis bits{};
   for (std::size_t square = 0; square < bits.size(); ++square) {
@@ -72,7 +74,7 @@ class RandomPolygons {
  public:
   explicit RandomPolygons(std::uint32_t seed) : dice_(seed) {}
 
-  // May cross and overlap itself: the even-odd rule says what is inside.
+  // It may cross and overlap itself: the even-odd rule defines the inside.
   LatticePolygon polygon() {
     for (;;) {
       LatticePolygon p{{{below(tetrakis_side + 1), below(tetrakis_side + 1)}}};
@@ -113,7 +115,7 @@ inline LatticePcs pcs_of(const std::vector<LatticePolygon>& polygons) {
   return lattice_pcs_of_half_steps(loops);
 }
 
-// The number of set operations, of `rounds` times three, that come out wrong.
+// The number of wrong results among `rounds` times three set operations.
 inline int wrong_set_operations(std::uint32_t seed, int rounds) {
   RandomPolygons random(seed);
   int wrong = 0;

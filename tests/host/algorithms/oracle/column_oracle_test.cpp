@@ -1,4 +1,4 @@
-// The column oracle against pictures small enough to be seen through.
+// The column oracle on pictures small enough to verify by eye.
 #include "host/algorithms/oracle/column_oracle.hpp"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ TEST(ColumnOracle, RankDecidesWhereDepthDoesNot) {
 }
 
 TEST(ColumnOracle, DepthIsTakenInTheColumn) {
-  // The chains change places between column 0 and column 6; in column 3 the first is nearer by 1.
+  // The chains exchange order between column 0 and column 6; in column 3 the first is nearer by 1.
   const Chain rising{0, {{0, 4, 0, none}, {6, 4, 18, draw}}};
   const Chain falling{0, {{0, 5, 20, none}, {6, 5, 0, mask}}};
   const auto picture = column_picture({falling, rising}, 0);
@@ -78,19 +78,19 @@ Chain run_at(int x, std::int64_t depth, int from, int to, SegmentRole role) {
   return {0, {{x, from, depth, none}, {x, to, depth, role}}};
 }
 
-TEST(ColumnOracle, TestedPiecesShowBesideLowerColumns) {
+TEST(ColumnOracle, TestedPiecesAreVisibleNextToLowerColumns) {
   const Chain cover = run_at(3, 10, 0, 11, mask);
   const Chain tested = run(20, 1, 10, test);
   EXPECT_EQ(lit({cover, tested}), ".#........#.");
-  // The last row of the hull beside it shows it, a row inside does not.
+  // The last row of the adjacent hull makes it visible, an inner row does not.
   EXPECT_EQ(lit({cover, run_at(2, 10, 4, 8, mask), tested}), ".####...###.");
   EXPECT_EQ(lit({cover, run_at(4, 10, 4, 8, mask), tested}), ".####...###.");
   EXPECT_EQ(lit({cover, run_at(4, 10, 4, 7, mask), run_at(2, 10, 5, 11, mask), tested}), ".#####.####.");
-  // What is farther, two columns away or itself only tested says nothing.
+  // A farther hull, one two columns away, or one that is only tested has no effect.
   EXPECT_EQ(lit({cover, run_at(2, 30, 4, 8, mask), tested}), ".#........#.");
   EXPECT_EQ(lit({cover, run_at(5, 10, 4, 8, mask), tested}), ".#........#.");
   EXPECT_EQ(lit({cover, run_at(2, 10, 4, 8, test), tested}), ".#........#.");
-  // Nor does it to a line that hides.
+  // Nor has it an effect on a line that hides.
   EXPECT_EQ(lit({cover, run_at(2, 10, 4, 8, mask), run(20, 1, 10, draw)}), "............");
 }
 
@@ -103,7 +103,7 @@ TEST(ColumnOracle, SurfacesAreFilledBetweenPieces) {
   EXPECT_EQ(lit({run(1, 4, 6, mask), run(2, 5, 5, shade), run(3, 9, 9, shade)}), ".......###..");
 }
 
-TEST(ColumnOracle, SilhouettesAreRecordsThatWereLeft) {
+TEST(ColumnOracle, SilhouettesAreRecordsThatEnd) {
   const auto folds = [](std::initializer_list<int> heights) {
     std::vector<Chain> chains;
     for (const int y : heights) chains.push_back(run(static_cast<std::int64_t>(chains.size()), y, y, mask));
@@ -114,7 +114,7 @@ TEST(ColumnOracle, SilhouettesAreRecordsThatWereLeft) {
   EXPECT_EQ(folds({5, 7, 5, 9, 6, 10}), ".......#.#..");
   EXPECT_EQ(folds({5, 2, 4}), "..#.........");
   EXPECT_EQ(folds({9, 5, 6}), "............");
-  // A steep piece is left only where a later one lies wholly below it.
+  // A steep piece ends a record only where a later piece lies completely below it.
   EXPECT_EQ(
       column(column_picture({run(0, 2, 2, mask), run(1, 5, 9, mask), run(2, 4, 4, mask)}, 0).silhouette[3]),
       "............");

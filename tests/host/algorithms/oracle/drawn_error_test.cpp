@@ -14,7 +14,7 @@ namespace {
 const std::vector<ScreenSegment> square{
     {0, 0, 100, 0}, {100, 0, 100, 100}, {100, 100, 0, 100}, {0, 100, 0, 0}};
 
-TEST(DrawnError, OfTheSameDrawingInPiecesAndBackwardsIsNothing) {
+TEST(DrawnError, OfTheSameDrawingInPiecesAndBackwardsIsZero) {
   const std::vector<ScreenSegment> pieces{{40, 0, 0, 0},      {40, 0, 100, 0}, {100, 100, 100, 0},
                                           {0, 100, 100, 100}, {0, 100, 0, 0},  {20, 0, 60, 0}};
   const DrawnError error = drawn_error(square, pieces, 0.01);
@@ -36,7 +36,7 @@ TEST(DrawnError, CountsAnExtraDiagonal) {
   five.push_back({0, 0, 100, 100});
   const DrawnError error = drawn_error(square, five, 1);
   EXPECT_EQ(error.missing, 0);
-  EXPECT_NEAR(error.extra, 98 * 1.41421356, 1);  // less what is within 1 of a side at each corner
+  EXPECT_NEAR(error.extra, 98 * 1.41421356, 1);  // minus the parts within 1 of a side at each corner
 }
 
 TEST(DrawnError, ForgivesAShiftUpToTheDistance) {
@@ -46,7 +46,7 @@ TEST(DrawnError, ForgivesAShiftUpToTheDistance) {
   EXPECT_GT(drawn_error(square, shifted, 0.5).missing, 390);
 }
 
-TEST(DrawnError, WithAnEmptySideIsAllOfTheOther) {
+TEST(DrawnError, WithAnEmptyDrawingIsTheLengthOfTheOther) {
   EXPECT_DOUBLE_EQ(drawn_error(square, {}, 1).missing, 400);
   EXPECT_DOUBLE_EQ(drawn_error({}, square, 1).extra, 400);
   EXPECT_DOUBLE_EQ(drawn_error({}, {}, 1).true_length, 0);
@@ -58,9 +58,8 @@ TEST(DrawnError, APointHasNoLengthButCanBeNear) {
   EXPECT_NEAR(drawn_error({{40, 50, 60, 50}}, point, 5).missing, 10, 0.5);
 }
 
-// Stretches are found by halving. Every step for itself, as the header defines the measure, gives the same
-// bits.
-TEST(DrawnError, OfStretchesIsThatOfTheirSteps) {
+// The implementation finds stretches by bisection. Testing every step, as the header defines the metric, gives the same bits.
+TEST(DrawnError, ByBisectionEqualsThatByEveryStep) {
   const auto near = [](double x, double y, const ScreenSegment& s, double distance) {
     const double dx = s.x1 - s.x0;
     const double dy = s.y1 - s.y0;
@@ -88,7 +87,7 @@ TEST(DrawnError, OfStretchesIsThatOfTheirSteps) {
     return total;
   };
   std::mt19937 engine(1971);
-  // Half points, so that lines often run at exactly the distance from each other.
+  // Half-integer points, so that lines often run at exactly the distance from each other.
   const auto place = [&] { return static_cast<double>(engine() % 80) / 2; };
   const auto drawing = [&] {
     std::vector<ScreenSegment> lines;

@@ -1,4 +1,4 @@
-// The lines derived from boxes and walls, against counts and drawings made by others.
+// The lines derived from boxes and walls, compared with counts and drawings from other programs.
 #include "host/algorithms/oracle/matter.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ TEST(RealLines, AreAsManyAsSpecified) {
   }
 }
 
-// A line of space (axis and the two other coordinates) with the stretches of it that are drawn.
+// A line of space (axis and the two other coordinates) and its drawn stretches.
 using Drawing = std::map<std::array<std::int32_t, 3>, IntervalSet>;
 
 void draw(Drawing& drawing, const Point& a, const Point& b) {
@@ -38,7 +38,7 @@ void draw(Drawing& drawing, const Point& a, const Point& b) {
                                                                std::max(a[axis], b[axis]));
 }
 
-// Cell lines and real ring vectors were made by another program, from the cells.
+// Another program made the cell lines and real ring vectors from the cells.
 TEST(RealLines, AreTheCellLinesAndOpeningOutlinesOfTheScene) {
   for (const std::string_view name : scene::builtin_scene_names()) {
     const scene::CellScene scene = scene::builtin_scene(name);
@@ -60,8 +60,7 @@ TEST(RealLines, AreTheCellLinesAndOpeningOutlinesOfTheScene) {
   }
 }
 
-// "Gap 3": the partition x = 250 of the house meets the wall z = 400 from behind: a corner there, flat in
-// front.
+// "Gap 3": the partition x = 250 of the house meets the wall z = 400 from behind: a corner on that side, flat on the front.
 TEST(RealLines, AreFeaturesOnOneSideOnlyWhereAPartitionMeetsAWall) {
   const auto lines = Matter::of(scene::builtin_scene("house")).value().real_lines();
   const auto corner = std::find_if(lines.begin(), lines.end(), [](const RealLine& line) {
@@ -83,13 +82,13 @@ scene::CellScene room(std::vector<Box> solids, std::vector<Rectangle> walls) {
 TEST(RealLines, OfAnEmptyRoomAndOfTouchingBoxes) {
   EXPECT_EQ(Matter::of(room({}, {})).value().real_lines().size(), 12U);
   EXPECT_EQ(Matter::of(room({{{20, 20, 20}, {40, 40, 40}}}, {})).value().real_lines().size(), 24U);
-  // two boxes make one: no lines at the joint
+  // Two boxes make one: no lines at the joint.
   EXPECT_EQ(Matter::of(room({{{20, 20, 20}, {30, 40, 40}}, {{30, 20, 20}, {40, 40, 40}}}, {}))
                 .value()
                 .real_lines()
                 .size(),
             24U);
-  // two pieces of one sheet: its rim only
+  // Two pieces of one sheet: only its boundary.
   EXPECT_EQ(
       Matter::of(room({}, {{2, 50, {Span{20, 30}, Span{20, 40}}}, {2, 50, {Span{30, 40}, Span{20, 40}}}}))
           .value()
@@ -98,7 +97,7 @@ TEST(RealLines, OfAnEmptyRoomAndOfTouchingBoxes) {
       16U);
 }
 
-TEST(Matter, RefusesWhatIsEmptyOrTooLarge) {
+TEST(Matter, RejectsEmptyAndTooLargeScenes) {
   EXPECT_FALSE(Matter::of(scene::CellScene{}));
   EXPECT_FALSE(Matter::of(room({{{20, 20, 20}, {20, 40, 40}}}, {})));
   std::vector<Box> many;

@@ -1,4 +1,4 @@
-// Single sight lines: what they meet, by hand.
+// Single sight lines and the faces that they meet, computed by hand.
 #include "host/algorithms/oracle/sight_oracle.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace sightline::algorithms::oracle {
 namespace {
 
-// A square of 8 by 8 at z = 10 with a hole of 4 by 4 in its middle, and behind it at z = 20 a whole one.
+// A square of 8 by 8 at z = 10 with a hole of 4 by 4 in its middle, and a whole square behind it at z = 20.
 scene::PolyScene frame_before_square() {
   scene::PolyScene scene;
   scene.vertices = {{0, 0, 10}, {0, 8, 10}, {8, 8, 10}, {8, 0, 10}, {2, 2, 10}, {6, 2, 10},
@@ -26,7 +26,7 @@ scene::PolyScene frame_before_square() {
 
 constexpr geometry::Vector3 ahead{0, 0, 1};
 
-TEST(SightOracle, MeetsTheNearestAndLooksThroughHoles) {
+TEST(SightOracle, MeetsTheNearestAndPassesThroughHoles) {
   const scene::PolyScene scene = frame_before_square();
   EXPECT_EQ(nearest_face(scene, {{1, 1, 0}, ahead}), (FaceHit{1, 0}));
   EXPECT_EQ(nearest_face(scene, {{4, 4, 0}, ahead}), (FaceHit{0, 0}));
@@ -46,7 +46,7 @@ TEST(SightOracle, SeesPointsUpToFacesAndThroughHoles) {
   EXPECT_TRUE(sees(scene, {1, 1, 0}, {1, 1, -50}));
 }
 
-// Through the common side of two triangles, and through their common corner, whichever way they are drawn.
+// Through the common side of two triangles, and through their common corner, in either orientation.
 TEST(SightOracle, ALineThroughASideMeetsOneOfItsFaces) {
   for (const bool turned : {false, true}) {
     scene::PolyScene scene;
@@ -63,8 +63,9 @@ TEST(SightOracle, ALineThroughASideMeetsOneOfItsFaces) {
   }
 }
 
-// From before the middle, by how far a pixel's sight line is from it, in the greater of the two directions:
-// through the hole, on the frame, beside it. Faces are numbered from 1 over all bodies.
+// The eye is in front of the middle. The distance of a pixel's sight line from the middle, in the larger direction, decides:
+// through
+// the hole, on the frame, outside it. Faces are numbered from 1 over all bodies.
 TEST(FaceRaster, NumbersTheNearestFaces) {
   scene::PolyScene scene = frame_before_square();
   scene.bodies[0].faces.push_back({{11, 10, 9, 8}, {}});  // number 2, met where number 1 is
@@ -102,7 +103,7 @@ TEST(FaceRaster, IsTheRightWayUp) {
   EXPECT_EQ(face(ahead_of_corner, 3, 0), 0U);
 }
 
-// From the middle of a cube every line meets it, through its edges and corners too.
+// From the middle of a cube every line meets the cube, also through its edges and corners.
 TEST(SightOracle, ClosedBodiesHaveNoGaps) {
   const scene::PolyScene walls = scene::generate_aligned(1);  // 250..750
   for (std::int64_t x = -3; x <= 3; ++x)

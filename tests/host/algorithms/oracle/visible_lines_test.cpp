@@ -1,5 +1,5 @@
-// Visible intervals against a ray test point by point that knows nothing of grids, and, where sight lines
-// only touch matter, against cases worked out by hand.
+// Visible intervals compared with a point-by-point ray test without grids, and, where sight lines only touch matter, with cases
+// computed by hand.
 #include "host/algorithms/oracle/visible_lines.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ using geometry::Rational;
 using geometry::Rectangle;
 using geometry::Span;
 
-// A point of a line relative to the eye, all three coordinates over one denominator.
+// A point of a line relative to the eye, its three coordinates with a common denominator.
 struct RayEnd {
   std::array<Int128, 3> over{};
   Int128 denominator = 1;
@@ -37,8 +37,9 @@ RayEnd ray_to(const RealLine& line, const Point& eye, const Rational& t) {
   return ray;
 }
 
-// Does the open segment from the eye (the origin) to the point pass the inside of a box, or the plane of a
-// wall inside it? For s in (0, 1): low < s r < high on all axes with an extent, s r = at on one without.
+// Whether the open segment from the eye (the origin) to the point passes the inside of a box, or the plane of a wall inside the
+// wall.
+// For s in (0, 1): low < s r < high on all axes with an extent, s r = at on one without.
 bool passes(const RayEnd& ray, const Box& box, const Point& eye) {
   struct Fraction {
     Int128 n, d;  // d > 0
@@ -60,12 +61,12 @@ bool passes(const RayEnd& ray, const Box& box, const Point& eye) {
     if (less(second, leave)) leave = second;
   }
   if (less(enter, leave)) return true;
-  // A wall is passed at one s only, and not at the eye or the point itself.
+  // A wall is passed at only one s, which is not at the eye or the point itself.
   const bool flat = box.low[0] == box.high[0] || box.low[1] == box.high[1] || box.low[2] == box.high[2];
   return flat && !less(leave, enter) && enter.n > 0 && enter.n < enter.d;
 }
 
-// A wall passed through exactly at its rim also counts in `passes`; the caller keeps away from such points.
+// `passes` also counts a wall passed exactly at its boundary; callers avoid such points.
 bool blocked(const scene::CellScene& scene, const RayEnd& ray, const Point& eye) {
   for (const Box& solid : scene.solids) {
     if (passes(ray, solid, eye)) return true;
@@ -99,7 +100,7 @@ Point random_eye(const scene::CellScene& scene, const Matter& matter, std::mt199
     bool good = true;
     for (std::size_t a = 0; a < 3; ++a) {
       const auto length = static_cast<unsigned>(scene.outer.span(a).length());
-      // half of the eyes in the nearest quarter, from where most is seen
+      // Half of the eyes are in the nearest quarter, from which most is visible.
       const unsigned range = a == 2 && random() % 2 == 0 ? length / 4 : length;
       eye[a] = scene.outer.low[a] + static_cast<std::int32_t>(random() % range);
       for (const std::int32_t g : matter.grid(a)) good = good && g != eye[a];
@@ -136,7 +137,7 @@ TEST_P(OfScene, AgreesWithARayTestAtRandomPoints) {
     for (const RealLine& line : lines) {
       const VisibleLine* found = find(visible, line);
       for (int sample = 0; sample < 12; ++sample) {
-        // a prime denominator keeps samples off the ends of intervals, where a ray only touches matter
+        // A prime denominator keeps samples off the ends of intervals, where a ray only touches matter.
         const Rational t(static_cast<std::int64_t>(random() % 9972 + 1), 9973);
         const RayEnd ray = ray_to(line, eye, t);
         const bool expected =
@@ -151,8 +152,7 @@ TEST_P(OfScene, AgreesWithARayTestAtRandomPoints) {
   EXPECT_GT(seen_points, 500);
 }
 
-// Where an interval ends something must begin to hide the line: a ray just inside is free, one just outside
-// is not.
+// Something must begin to hide the line where an interval ends: a ray just inside is free, a ray just outside is not.
 TEST_P(OfScene, IntervalsEndExactlyWhereSightDoes) {
   const scene::CellScene scene = scene::builtin_scene(GetParam());
   const Matter matter = Matter::of(scene).value();
@@ -220,9 +220,9 @@ TEST(Touching, TheJointOfTwoWallsHidesWhatIsBehindIt) {
   const Point eye{0, 20, 0};
   const Point p{-80, 20, 200};
   const Point q{80, 20, 200};
-  // Both: hidden from -100 to 100, which is everything.
+  // Both walls: hidden from -100 to 100, which is everything.
   EXPECT_TRUE(seen_of(room({}, {above, below, far}), eye, p, q).empty());
-  // One: the sight line passes along its rim.
+  // One wall: the sight line passes along its boundary.
   EXPECT_EQ(seen_of(room({}, {above, far}), eye, p, q), IntervalSet(0, 1));
   EXPECT_EQ(seen_of(room({}, {below, far}), eye, p, q), IntervalSet(0, 1));
 }
@@ -252,14 +252,14 @@ TEST(Touching, NothingIsSeenThroughTheJointOfTwoSolids) {
 }
 
 TEST(Touching, NothingIsSeenThroughAnEdgeWhereTwoSolidsMeet) {
-  // Diagonal neighbours meeting in the edge x = 10, z = 100; the sight line comes to it across.
+  // Diagonal solids that meet in the edge x = 10, z = 100; the sight line passes across the edge.
   const Box left{{-50, -50, 60}, {10, 50, 100}};
   const Box right{{10, -50, 100}, {70, 50, 140}};
   const Rectangle far{2, 200, {Span{20, 60}, Span{-40, 40}}};
   const Point eye{0, 0, 0};
-  // the sheet's left rim x = 20, z = 200 is exactly behind the edge
+  // The sheet's left side x = 20, z = 200 is exactly behind the edge.
   EXPECT_TRUE(seen_of(room({left, right}, {far}), eye, {20, -40, 200}, {20, 40, 200}).empty());
-  // a solid on one side only is touched and passed
+  // A solid on only one side is touched and passed.
   EXPECT_EQ(seen_of(room({{{10, -50, 100}, {70, 50, 140}}}, {}), eye, {10, -50, 100}, {10, 50, 100}),
             IntervalSet(0, 1));
 }

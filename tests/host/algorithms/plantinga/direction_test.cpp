@@ -1,5 +1,6 @@
-// Directions with coefficients as long as they may get, in order and between each other, against GMP with
-// floating point of 4096 bits; their angles, bit for bit, against the same formula in GMP's integers.
+// Directions with the longest possible coefficients: their order, and directions between them, compared with GMP with floating
+// point
+// of 4096 bits; their angles, bit for bit, compared with the same formula in GMP's integers.
 #include "host/algorithms/plantinga/direction.hpp"
 
 #include <gmpxx.h>
@@ -26,7 +27,7 @@ mpz_class discriminant(const QuadraticForm& form) {
   return to_gmp(form.xz) * to_gmp(form.xz) - 4 * to_gmp(form.xx) * to_gmp(form.zz);
 }
 
-// X and Z of a direction, far nearer than two directions can be to each other.
+// X and Z of a direction, much more precise than two directions can be close.
 std::array<mpf_class, 2> near(const Direction& direction) {
   const QuadraticForm& form = direction.form;
   if (direction.rational)
@@ -36,7 +37,7 @@ std::array<mpf_class, 2> near(const Direction& direction) {
   return {direction.side * x, mpf_class(direction.side * 2 * to_gmp(form.xx), precision)};
 }
 
-// The sign of the turn from one to the other, less than pi apart.
+// The sign of the turn from one to the other; they are less than pi apart.
 int turn(const std::array<mpf_class, 2>& a, const std::array<mpf_class, 2>& b) {
   const mpf_class value = b[0] * a[1] - a[0] * b[1];
   const mpf_class size = abs(b[0] * a[1]) + abs(a[0] * b[1]);
@@ -45,7 +46,7 @@ int turn(const std::array<mpf_class, 2>& a, const std::array<mpf_class, 2>& b) {
   return abs(value) <= floor ? 0 : sgn(value);
 }
 
-// As direction.cpp has it, in integers of any length.
+// The algorithm of direction.cpp, in integers of any length.
 double expected_angle(const Direction& direction) {
   const QuadraticForm& form = direction.form;
   mpz_class x = to_gmp(form.xx);
@@ -82,7 +83,7 @@ class Forms {
   std::mt19937_64 dice_{1990};
 };
 
-// Those of a form, those of its neighbours, and the rational ones nearest to them.
+// Roots of a form and of similar forms, and the rational directions nearest to them.
 std::vector<Direction> crowd(Forms& forms) {
   const QuadraticForm form = forms.form(forms.bits());
   std::vector<Direction> directions;
@@ -92,7 +93,7 @@ std::vector<Direction> crowd(Forms& forms) {
   }
   const std::vector<Direction> exact = directions;
   for (const Direction& direction : exact) {
-    // Two convergents of X / Z, as long as coefficients may get.
+    // Two convergents of X / Z, with the longest possible coefficients.
     const auto [x, z] = near(direction);
     if (x == 0 || z == 0) continue;
     mpf_class rest = abs(x / z);
@@ -140,7 +141,7 @@ TEST(Direction, RootsHaveTheAngleThatGmpGivesThem) {
   }
 }
 
-// Products of two linear forms with factors as long as they may get: rational roots in lowest terms.
+// Products of two linear forms with the longest possible factors: rational roots in lowest terms.
 TEST(Direction, RootsOfReducibleFormsAreRational) {
   Forms forms;
   for (int i = 0; i < 1000; ++i) {
@@ -155,7 +156,7 @@ TEST(Direction, RootsOfReducibleFormsAreRational) {
   }
 }
 
-TEST(Direction, OrderIsExactHoweverNear) {
+TEST(Direction, OrderIsExactForAnyDistance) {
   Forms forms;
   int near_ones = 0;
   for (int i = 0; i < 200; ++i) {
@@ -198,7 +199,7 @@ TEST(Direction, TheSignOfALinearFormIsExact) {
   int zeros = 0;
   for (int i = 0; i < 300; ++i) {
     for (const Direction& direction : crowd(forms)) {
-      // The form that all but vanishes there, and those beside it.
+      // A form that almost vanishes there, and its neighbours.
       const auto [x, z] = near(direction);
       const mpf_class larger = std::max(mpf_class(abs(x)), mpf_class(abs(z)));
       const mpf_class scale = ((std::int64_t{1} << 51) - 4) / larger;

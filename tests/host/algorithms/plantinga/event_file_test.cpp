@@ -1,4 +1,4 @@
-// Event files: there and back, and every kind of damage refused by name.
+// Event files: round trips, and an error for every kind of damage.
 #include "host/algorithms/plantinga/event_file.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ std::string error_of(const Bytes& bytes) {
   return read ? "" : read.error().message();
 }
 
-// The checksum made right again, so that what is behind it is looked at.
+// Corrects the checksum, so that the contents are read.
 Bytes signed_again(Bytes bytes) {
   std::uint64_t hash = 14695981039346656037ULL;
   for (std::size_t i = 0; i + 8 < bytes.size(); ++i) hash = (hash ^ bytes[i]) * 1099511628211ULL;
@@ -55,18 +55,18 @@ TEST(EventFile, ThereAndBack) {
   EXPECT_EQ(encode_events(*read), made().bytes);
 }
 
-TEST(EventFile, TruncatedFilesAreRefused) {
+TEST(EventFile, TruncatedFilesAreErrors) {
   for (std::size_t size = 0; size < made().bytes.size(); size += size < 60 ? 1 : 37) {
     const Bytes part(made().bytes.begin(), made().bytes.begin() + static_cast<std::ptrdiff_t>(size));
     EXPECT_NE(error_of(part), "") << size;
-    // Also with a checksum of what is left.
+    // Also with a checksum of the truncated contents.
     EXPECT_TRUE(size <= 60 || !error_of(signed_again(part)).empty()) << size;
   }
   EXPECT_EQ(error_of({}),
             "x.events: byte 0: an empty file, expected an event file, which begins with SIGHTLINE EVENTS");
 }
 
-TEST(EventFile, ForeignFilesAreRefused) {
+TEST(EventFile, ForeignFilesAreErrors) {
   Bytes bytes = made().bytes;
   bytes[17] = 9;
   EXPECT_EQ(error_of(bytes), "x.events: byte 17: version 9, expected version 1");
@@ -79,14 +79,14 @@ TEST(EventFile, ForeignFilesAreRefused) {
   EXPECT_NE(read.error().message().find("events of another model"), std::string::npos);
 }
 
-TEST(EventFile, EveryDamagedByteIsRefusedOrHarmless) {
+TEST(EventFile, EveryDamagedByteIsAnErrorOrHarmless) {
   for (std::size_t i = 34; i + 8 < made().bytes.size(); i += 3) {
     for (const int flip : {1, 4, 128}) {
       Bytes bytes = made().bytes;
       bytes[i] = static_cast<std::uint8_t>(bytes[i] ^ flip);
       const auto read = decode_events(signed_again(bytes), "x.events", made().model);
       if (!read) continue;
-      EdgeStructureGraph graph(*read);  // then a turn can be made
+      EdgeStructureGraph graph(*read);  // then it can be used for a rotation
       for (std::size_t k = 0; k < read->events.size(); ++k) ASSERT_TRUE(graph.step_forward());
     }
   }
@@ -107,8 +107,9 @@ TEST(EventFile, OnDisk) {
 TEST(Table1, CountsChangesOfEdges) {
   const Table1Row row = table_1_row("three boxes", made().model, made().list, 0.5);
   EXPECT_EQ(row.edges, 36U);
-  // The study the specification was checked by finds 248 from the same three boxes, the range cut open at pi
-  // and back edges of a solid counted by what its faces hide.
+  // The study used to check the specification finds 248 for the same three boxes, with the range cut at pi and with back edges of
+  // a
+  // solid counted by what its faces hide.
   EXPECT_EQ(row.events, made().list.changes.size());
   EXPECT_GT(row.events, 200U) << row.events;
   EXPECT_LT(row.events, 300U);

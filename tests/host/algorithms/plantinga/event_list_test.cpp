@@ -1,5 +1,5 @@
-// The list of events and the graph that steps through it: every structure equals hidden-line removal from
-// scratch, forwards and backwards; a turn closes; a list with a fault is found out; limits and tolerance.
+// The list of events and the graph that steps through it: every structure equals hidden-line removal from scratch, forwards and
+// backwards; a turn closes; a faulty list is detected; limits and tolerance.
 #include "host/algorithms/plantinga/event_list.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ EventList list_of(const RotationModel& model, double tolerance = 0) {
   return {};
 }
 
-// Edges whose structure in the graph is not that from scratch after the graph's last event.
+// The number of edges whose structure in the graph after its last event differs from that from scratch.
 std::size_t wrong_edges(const RotationModel& model, const EventList& list, const EdgeStructureGraph& graph) {
   const std::size_t count = list.events.size();
   const Direction& before = list.events[(graph.passed() + count - 1) % count].direction;
@@ -43,7 +43,7 @@ std::size_t wrong_edges(const RotationModel& model, const EventList& list, const
   return wrong;
 }
 
-// A full turn, looked at between every two events.
+// A full turn, checked between every two events.
 void expect_turn(const scene::PolyScene& scene) {
   const RotationModel model(scene);
   const EventList list = list_of(model);
@@ -72,12 +72,12 @@ TEST(EventList, ATurnOfTriangles) {
   expect_turn(scene::generate_triangles(12, 3));
 }
 
-TEST(EventList, TurnsOfScenesFullOfContacts) {
+TEST(EventList, TurnsOfScenesWithManyContacts) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) expect_turn(scene::generate_bricks(5, seed));
   expect_turn(scene::generate_touch(2));
 }
 
-// A solid with a notch (vertices that are not convex), a frame with a hole, and what is seen through it.
+// A solid with a notch (reflex vertices), and a frame with a hole and an object visible through it.
 TEST(EventList, ATurnOfHolesAndNotches) {
   scene::PolyScene scene = two_boxes();
   const auto first = static_cast<scene::VertexIndex>(scene.vertices.size());
@@ -130,7 +130,7 @@ TEST(EventList, EveryEventChangesSomething) {
   }
 }
 
-TEST(EventList, TheNumberOfThreadsDoesNotShow) {
+TEST(EventList, TheResultDoesNotDependOnTheNumberOfThreads) {
   const RotationModel model(three_boxes());
   BuildOptions options;
   options.threads = 1;
@@ -145,7 +145,7 @@ TEST(EventList, TheNumberOfThreadsDoesNotShow) {
   }
 }
 
-// Mutation: without any one event a turn cannot be made, or ends in another view than it began.
+// Mutation: without any one event a turn is impossible, or ends in another view than it began.
 TEST(EventList, EveryRemovedEventIsDetected) {
   const RotationModel model(three_boxes());
   const EventList list = list_of(model);
@@ -159,7 +159,7 @@ TEST(EventList, EveryRemovedEventIsDetected) {
       fits = graph.structure_of(edge) == mutant.first[edge];
     }
     EXPECT_FALSE(fits) << "event " << lost;
-    // From scratch it shows at once, right after the place it was lost from.
+    // Compared with from scratch, the error shows at once, right after the removed event.
     EdgeStructureGraph to_place(mutant);
     for (std::size_t i = 0; i < lost; ++i) ASSERT_TRUE(to_place.step_forward());
     std::size_t wrong = 0;
@@ -175,7 +175,7 @@ TEST(EventList, EveryRemovedEventIsDetected) {
   }
 }
 
-// P20: steps of 30 degrees over many events, both ways, from anywhere.
+// P20: steps of 30 degrees over many events, in both directions, from any position.
 TEST(EventList, LargeSteps) {
   const RotationModel model(model_scene("grid"));
   const EventList list = list_of(model);
@@ -194,7 +194,7 @@ TEST(EventList, LargeSteps) {
   }
 }
 
-TEST(EventList, LimitsEndWithWhatWasDone) {
+TEST(EventList, LimitsReturnThePartialResult) {
   const RotationModel model(three_boxes());
   BuildOptions options;
   options.threads = 1;
@@ -235,7 +235,7 @@ TEST(EventList, ProgressCountsEdges) {
   EXPECT_EQ(calls, 24U);
 }
 
-// Knob: fewer events; wrong only at angles less than the tolerance behind a true event.
+// With a tolerance there are fewer events; the structure is wrong only at angles within the tolerance after a true event.
 TEST(EventList, ToleranceMovesEventsByLessThanItself) {
   const RotationModel model(three_boxes());
   const EventList fine = list_of(model);
@@ -266,7 +266,7 @@ TEST(EventList, ToleranceMovesEventsByLessThanItself) {
     different += same ? 0 : 1;
   }
   EXPECT_GT(far, 100);
-  EXPECT_GT(different, 100);  // the knob does something
+  EXPECT_GT(different, 100);  // the tolerance has an effect
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Frames: the lines of a turning scene end where exact hidden-line removal says.
+// Frames: the lines of a turning scene end where exact hidden-line removal ends them.
 #include "host/algorithms/plantinga/frame.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ std::vector<Line> exact_lines(const RotationModel& model, const Sight& sight, do
 
 void expect_same(std::vector<Line> found, std::vector<Line> expected) {
   ASSERT_EQ(found.size(), expected.size());
-  // Each has its own; ends differ by roundings.
+  // Each line has one counterpart; ends differ by rounding.
   for (const Line& line : expected) {
     const auto near = std::find_if(found.begin(), found.end(), [&](const Line& other) {
       double difference = 0;

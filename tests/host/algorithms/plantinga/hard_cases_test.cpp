@@ -1,9 +1,9 @@
-// The hard cases P1 to P22 of Plantinga, Seales and Dyer (1990) from within: potential events of a few edges
-// and vertices, and what must be so of the structures of a turn; P18, a large model, is in
-// model_turns_test.cpp. Pictures of the turning scenes are in the report
-// (host/compare/hard_cases/manifest.json).
+// The hard cases P1 to P22 of Plantinga, Seales and Dyer (1990) at the level of the algorithm: potential events of a few edges
+// and
+// vertices, and required properties of the structures of a turn. P18, a large model, is in model_turns_test.cpp. The report has
+// pictures of the turning scenes (host/compare/hard_cases/manifest.json).
 //
-// A file has one edge or vertex per line: "edge x y z  x y z", "vertex x y z"; "#" begins a remark.
+// A file has one edge or vertex per line: "edge x y z  x y z", "vertex x y z"; "#" begins a comment.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ struct EventLines {
   std::vector<Segment> edges;
 
   [[nodiscard]] bool are_three_edges() const { return vertices.empty() && edges.size() == 3; }
-  // Every vertex with every edge; of two edges alone the ends of each with the other.
+  // Every vertex with every edge; if there are only two edges, the ends of each with the other.
   [[nodiscard]] std::vector<std::pair<Vector3, Segment>> pairs() const {
     std::vector<std::pair<Vector3, Segment>> all;
     for (const Vector3& vertex : vertices)
@@ -71,7 +71,7 @@ QuadraticForm form_of(const EventLines& lines) {
                       crossing_of(lines.edges[0], lines.edges[2]));
 }
 
-// whole_lines: wherever the lines of three edges meet.
+// whole_lines: at all meetings of the lines of three edges, also outside the edges.
 std::vector<Direction> events_of(const EventLines& lines, bool whole_lines) {
   std::vector<Direction> events;
   if (lines.are_three_edges())
@@ -85,7 +85,7 @@ std::vector<Direction> events_of(const EventLines& lines, bool whole_lines) {
   return events;
 }
 
-// --- the same formulas in doubles alone
+// --- The same formulas in doubles alone
 
 using Real3 = std::array<double, 3>;
 
@@ -98,7 +98,7 @@ std::array<double, 2> cross_xz(const Real3& a, const Real3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[0] * b[1] - a[1] * b[0]};
 }
 
-// As Crossing, X and Z of each form.
+// As in Crossing: X and Z of each form.
 struct NearCrossing {
   NearCrossing(const Segment& edge, const Segment& other)
       : n(cross_xz(difference(other.from, edge.from), difference(other.to, other.from))),
@@ -163,7 +163,7 @@ struct Expected {
   bool whole_lines = false;
 };
 
-// Directions with their opposites; doubles must count as many.
+// Compares directions including their opposites; doubles must give the same number.
 void expect_events(const std::string& file, const Expected& expected) {
   SCOPED_TRACE(file);
   const EventLines lines = lines_of(file);
@@ -255,12 +255,12 @@ TEST(PlantingaHardCases, P19AnEventAtPi) {
   expect_events("P19.txt", {.directions = 2, .there = {{0, 1}, {0, -1}}});
 }
 
-// --- turning scenes
+// --- Turning scenes
 
 struct Turned {
   explicit Turned(scene::PolyScene of) : scene(std::move(of)), model(scene), list(*build_event_list(model)) {}
 
-  // Every end of a piece there ever is, with its edge.
+  // Visits every end of a piece that ever occurs, with its edge.
   template <class Visit>
   void for_ends(Visit visit) const {
     const auto all = [&](EdgeIndex edge, std::span<const Piece> pieces) {
@@ -287,7 +287,7 @@ struct Turned {
   EventList list;
 };
 
-// Between every two events of a turn, and back again.
+// Between every two events of a turn, and backwards.
 TEST(PlantingaHardCases, TurnsAreAsFromScratch) {
   for (const char* file : {"P9.json", "P15.json", "P16.json", "P20.json", "P21.json"}) {
     const Turned turned(scene::hard_case_scene(file));
@@ -353,7 +353,7 @@ TEST(PlantingaHardCases, P20LargeSteps) {
   expect_at(0.003);
 }
 
-// From before the common plane of the fronts these are always seen whole.
+// Seen from in front of the common plane, the front faces are always completely visible.
 TEST(PlantingaHardCases, P21FrontsInOnePlaneHideNothingOfEachOther) {
   const Turned turned(scene::hard_case_scene("P21.json"));
   std::int64_t front = turned.model.vertices()[0][2];

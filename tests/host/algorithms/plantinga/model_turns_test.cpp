@@ -1,6 +1,6 @@
-// The six models of Plantinga, Seales and Dyer through a full turn: between every two events of the small
-// ones, and at ten thousand places of the large ones, the structure that the list of events gives is that
-// from scratch.
+// The six models of Plantinga, Seales and Dyer through a full turn: the structure from the list of events equals that from
+// scratch,
+// between every two events of the small models and at ten thousand directions of the large ones.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace sightline::algorithms::plantinga {
 namespace {
 
-// After each event: edges that have just changed, or are about to, and any; about `samples` in all.
+// After each event: edges that have just changed or are about to change, and random ones; about `samples` in all.
 void expect_turn(const std::string& name, std::size_t samples) {
   const RotationModel model(model_scene(name));
   auto built = build_event_list(model);
@@ -83,8 +83,9 @@ Direction mirrored(const Direction& direction) {
                            [&](const auto& a, const auto& b) { return away(a) < away(b); });
 }
 
-// Tori is its own mirror image. Of equal crossings the least edge is named, which is not the same edge in the
-// mirror: so only events at which an edge gets or loses a piece must have their mirror images, exactly.
+// Tori is its own mirror image. Of equal crossings the lowest edge is named, which is not the same edge in the mirror image. So
+// only
+// events at which an edge gains or loses a piece must have exact mirror images.
 TEST(PlantingaHardCases, P18AMirrorImageHasMirroredEvents) {
   const RotationModel model(model_scene("tori"));
   const auto built = build_event_list(model);

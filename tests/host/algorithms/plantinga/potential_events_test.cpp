@@ -1,5 +1,6 @@
-// Potential events as exact directions: order and equality of directions that doubles cannot distinguish. The
-// hard cases P1 to P19: hard_cases_test.cpp.
+// Potential events as exact directions: order and equality of directions that doubles cannot distinguish. hard_cases_test.cpp has
+// the
+// hard cases P1 to P19.
 #include "host/algorithms/plantinga/potential_events.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +48,7 @@ TEST(PotentialEvents, EventsCloserThanDoublesCanTell) {
   EXPECT_EQ(a.angle, b.angle);
   EXPECT_NE(compare(a, b), 0);
   EXPECT_EQ(compare(a, b), -compare(b, a));
-  // X^2 + X Z - Z^2 = 0 at the golden section, which lies between all neighbours.
+  // X^2 + X Z - Z^2 = 0 at the golden section, which lies between every two consecutive convergents.
   std::vector<Direction> golden = roots_of(QuadraticForm{1, 1, -1});
   const auto near = std::find_if(golden.begin(), golden.end(),
                                  [&](const Direction& d) { return std::abs(d.angle - a.angle) < 1e-9; });
@@ -64,7 +65,7 @@ TEST(PotentialEvents, EqualEventsAreOne) {
   sort_and_group(events);
   ASSERT_EQ(events.size(), 2U);
   EXPECT_EQ(events[1], rational_direction(1, 2));
-  // A root of a form and of twice that form, whichever way it is turned.
+  // A root of a form and of a multiple of that form, with either sign.
   EXPECT_EQ(roots_of(QuadraticForm{1, 1, -1}), roots_of(QuadraticForm{-6, -6, 6}));
 }
 

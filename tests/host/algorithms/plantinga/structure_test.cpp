@@ -1,5 +1,5 @@
-// The structure of every edge from scratch, against the exact picture of the same view made by other code,
-// and against itself in long integers.
+// The structure of every edge from scratch, compared with the exact picture of the same view by independent code, and with a
+// computation in long integers.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -20,7 +20,7 @@ void expect_exact(const scene::PolyScene& scene, const Sight& sight) {
       << scene.name << " along " << sight.x << ", " << sight.z;
 }
 
-// Directions in line with much of a scene, and any.
+// Directions in line with much of a scene, and random ones.
 void expect_exact_all_round(const scene::PolyScene& scene, std::uint32_t seed, int views) {
   for (std::int64_t x = -2; x <= 2; ++x) {
     for (std::int64_t z = -2; z <= 2; ++z) {
@@ -72,7 +72,7 @@ TEST(EdgeStructure, LongIntegersGiveTheSame) {
   }
 }
 
-// Where doubles cannot look: between two neighbours of 50 bits.
+// Beyond the precision of doubles: between two neighbours of 50 bits.
 TEST(EdgeStructure, BetweenDirectionsTooNearForSmallIntegers) {
   const RotationModel model(two_boxes());
   const Int128 f72 = 498454011879264;
@@ -83,13 +83,13 @@ TEST(EdgeStructure, BetweenDirectionsTooNearForSmallIntegers) {
   ASSERT_FALSE(sight_between(a, b));
   for (EdgeIndex edge = 0; edge < model.edges().size(); ++edge) {
     const auto occluders = model.occluders_of(edge);
-    // No event of two boxes is so near the golden section.
+    // No event of two boxes is so close to the golden section.
     EXPECT_EQ(structure_between(model, edge, occluders, a, b),
               structure_at(model, edge, occluders, {10946, 17711}));
   }
 }
 
-// Pictures through the list of events, among them views exactly at events.
+// Pictures through the list of events, some of them exactly at events.
 TEST(TurningScene, DrawsNothingOfAnEdgeSeenEndOn) {
   scene::PolyScene scene;
   scene.vertices = {{1, 0, 0}, {0, 0, 1}, {0, 0, 0}};

@@ -1,4 +1,4 @@
-// Scenes that turn: the six models and small ones by hand.
+// Turning scenes: the six models and small scenes made by hand.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ inline scene::PolyScene three_boxes() {
   return scene;
 }
 
-// Boxes on the ground, one with a smaller one on top: heights and planes in common, contacts that stay.
+// Boxes on the ground, one with a smaller one on top: common heights and planes, permanent contacts.
 inline scene::PolyScene boxes_on_the_ground() {
   scene::PolyBuilder builder;
   builder.add_box("left", {-40, 0, -10}, {-10, 30, 20});

@@ -1,5 +1,6 @@
-// Montani and Re's filled faces against the face met first by the exact sight line of every pixel: by stripes
-// of one thickness, and as outlines with holes.
+// Montani and Re's filled faces, by stripes of one thickness and as outlines with holes, compared with the face that the exact
+// sight
+// line of every pixel meets first.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +20,7 @@
 namespace sightline::registry {
 namespace {
 
-constexpr int size = 120;  // pixels a side, 90 degrees of the image
+constexpr int size = 120;  // pixels per side, a field of view of 90 degrees
 constexpr FaceWindow window{size, size, size / 2.0, size / 2.0, size / 2.0};
 
 struct Setting {
@@ -30,7 +31,7 @@ struct Setting {
   scene::PolyPoint right{1, 0, 0};
   scene::PolyPoint up{0, 1, 0};
 };
-// All but the first from among the faces.
+// In all but the first setting the eye is among the faces.
 const std::vector<Setting> settings{{"boxes", 30, {211, 345, -700}},
                                     {"boxes", 60, {1103, 977, 1011}},
                                     {"rooms", 4, {481, 233, 307}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
@@ -47,7 +48,7 @@ picture::PixelGrid nearest_faces(const scene::PolyScene& scene) {
   return algorithms::oracle::nearest_faces(scene, {scene.camera, size, size});
 }
 
-// Where they are before the eye, in pixels whose middles are at whole numbers.
+// Edges in front of the eye, in pixels whose middles are at integers.
 std::vector<picture::PixelSegment> edges_of(const scene::PolyScene& scene) {
   std::vector<picture::PixelSegment> segments;
   for (const picture::LineEdge& edge : picture::edges_of(scene)) {
@@ -79,9 +80,9 @@ PreparedFaces prepared(const scene::PolyScene& scene, double stripe) {
   return *find_face_algorithm("montani-re")->prepare(scene, options);
 }
 
-// Corners are moved by half a stripe at most: what is farther from all edges is right. At edges, stripes of a
-// pixel are better than thinner ones: their lines run between the middles of pixels, so that an edge along
-// them is moved across none.
+// Corners move by half a stripe at most, so pixels farther from all edges are correct. At edges, stripes of one pixel are better
+// than
+// thinner ones: their lines run between the middles of pixels, so that an edge along them moves across none.
 TEST(MontaniReFaces, StripesOfAPixelAreRightInsideFaces) {
   for (const Setting& setting : settings) {
     const scene::PolyScene scene = scene_of(setting);
@@ -116,7 +117,7 @@ std::vector<double> crossings(const FaceRegion& region, double y) {
   return at;
 }
 
-TEST(MontaniReFaces, OutlinesHoldThePixelsOfTheirFaces) {
+TEST(MontaniReFaces, OutlinesContainThePixelsOfTheirFaces) {
   for (const Setting& setting : settings) {
     const scene::PolyScene scene = scene_of(setting);
     const auto seen = prepared(scene, 1).regions(scene.camera, window);
@@ -141,7 +142,7 @@ TEST(MontaniReFaces, OutlinesHoldThePixelsOfTheirFaces) {
   }
 }
 
-TEST(MontaniReFaces, RefuseOtherThicknesses) {
+TEST(MontaniReFaces, RejectOtherThicknesses) {
   const scene::PolyScene scene = scene::generate_boxes(2);
   FaceOptions options;
   options.stripe = 3;

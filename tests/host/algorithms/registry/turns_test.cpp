@@ -1,5 +1,6 @@
-// Every method that turns a scene is behind one door: its frames are those of exact, what it found can be
-// kept and read again.
+// All methods that turn a scene through the common interface: their frames equal those of exact, and their results can be saved
+// and
+// read again.
 #include "host/algorithms/registry/turns.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ double length_of(const std::vector<TurnLine>& lines) {
   return sum;
 }
 
-// Of exact, looking along the same direction: a camera's image is u and v, times the length of its vectors.
+// The length by exact, in the same direction: a camera's image is u and v, times the length of its vectors.
 double exact_length(const scene::PolyScene& scene, std::int32_t x, std::int32_t z) {
   const scene::PolyCamera camera{false, {0, 0, 0}, {-x, 0, -z}, {z, 0, -x}, {0, 1, 0}};
   const auto prepared = registry::find_line_algorithm("exact")->prepare(scene);
@@ -45,7 +46,7 @@ double exact_length(const scene::PolyScene& scene, std::int32_t x, std::int32_t 
   return sum;
 }
 
-TEST(TurnMethods, FramesAreThoseOfExact) {
+TEST(TurnMethods, FramesEqualThoseOfExact) {
   const scene::PolyScene scene = two_boxes();
   for (const TurnMethod& method : turn_methods()) {
     ASSERT_FALSE(method.why_not(scene)) << method.name;
@@ -62,7 +63,7 @@ TEST(TurnMethods, FramesAreThoseOfExact) {
   }
 }
 
-TEST(TurnMethods, KeepWhatTheyFound) {
+TEST(TurnMethods, SaveTheirResults) {
   const scene::PolyScene scene = two_boxes();
   const TurnMethod& method = *find_turn_method("plantinga");
   const std::string file = testing::TempDir() + "turn.events";

@@ -1,5 +1,5 @@
-// Willis's method on the display it was made for: point for point what is resolved natively; and the table
-// through which the command draws.
+// Willis's method on the display for which it was designed, compared point by point with the native result; and the table through
+// which the command draws.
 #include "host/algorithms/registry/willis_display.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 namespace willis = algorithms::willis;
 
-TEST(WillisDisplay, ShowsWhatIsResolvedNatively) {
+TEST(WillisDisplay, EqualsTheNativeResult) {
   WillisDisplay display;
   for (const scene::PolyScene& scene : {scene::generate_boxes(8), scene::generate_touch(3),
                                         scene::generate_rooms(2), scene::generate_town(9)}) {
@@ -32,7 +32,7 @@ TEST(WillisDisplay, ShowsWhatIsResolvedNatively) {
   EXPECT_EQ(display.device.counts().writes_no_room, 0U);
 }
 
-TEST(FaceAlgorithms, WillisDrawsAndNamesWhatItCouldNotSeparate) {
+TEST(FaceAlgorithms, WillisDrawsAndNamesInseparableFaces) {
   const FaceAlgorithm* const algorithm = find_face_algorithm("willis");
   ASSERT_NE(algorithm, nullptr);
   EXPECT_EQ(find_face_algorithm("nobody"), nullptr);

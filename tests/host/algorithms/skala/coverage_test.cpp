@@ -1,5 +1,5 @@
-// What the surface hides of lines behind it, compared with rays: from a place towards the eye, through all triangles. Nothing is shared
-// with the program but the formulas of the box and of the direction of the eye, written again.
+// Lines hidden by a surface, compared with rays: from a point towards the eye, through all triangles. The test shares with the
+// program only the formulas of the box and of the direction of the eye, which are written again.
 #include "host/algorithms/skala/coverage.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ using test::between;
 using test::meets;
 using test::Point;
 
-// Every cell twice: divided by either of its diagonals. Where these disagree, nothing is expected.
+// Every cell twice: divided by either diagonal. Where these disagree, there is no expectation.
 class Rays {
  public:
   Rays(const scene::HeightGrid& grid, const View& view) : view_(view) {
@@ -47,7 +47,7 @@ class Rays {
   }
 
   [[nodiscard]] Point place(const Point& box) const { return {box[0] * view_.sides.x, box[1] * view_.sides.z, box[2] * view_.sides.height}; }
-  // The same, a little to the side of it on the screen and up.
+  // A point slightly to the side on the screen, and up.
   [[nodiscard]] Point beside(const Point& box, double shift, double up) const {
     const double a = view_.rotation * std::numbers::pi / 180;
     const Point p = place(box);
@@ -70,7 +70,8 @@ struct Counts {
   int unsure = 0;
 };
 
-// Is the place at t of a line hidden, and so for a little way around it? What lies on the very outline of the surface is neither.
+// Whether the point at t of a line is hidden, including a short stretch around it. Points on the outline of the surface are not
+// checked.
 void expect_as_rays(const Rays& rays, const BoxPoint& from, const BoxPoint& to, double t, bool seen, Counts& counts) {
   constexpr double way = 0.004;
   int hidden = 0;
@@ -118,11 +119,11 @@ class Covering : public testing::TestWithParam<const char*> {
   }
 };
 
-TEST_P(Covering, LinesOnTheFloorAreAsRaysSay) {
+TEST_P(Covering, LinesOnTheFloorMatchRays) {
   Counts counts;
   std::mt19937 dice(1);
   for_views([&](const Rays& rays, const Surface& surface, const Box& box, const Coverage& coverage) {
-    if (surface.to_eye()[2] < 0) return;  // from below nothing is before the floor
+    if (surface.to_eye()[2] < 0) return;  // from below nothing is in front of the floor
     for (int n = 0; n < tests::effort(8, 2); ++n) {
       const auto any = [&] { return static_cast<double>(dice() % 2001) / 1000 - 1; };
       const BoxPoint from{any(), any(), box.low};
@@ -141,7 +142,7 @@ TEST_P(Covering, LinesOnTheFloorAreAsRaysSay) {
   EXPECT_LT(counts.unsure, counts.visible + counts.hidden);
 }
 
-TEST_P(Covering, EdgesOfTheBoxAreAsRaysSay) {
+TEST_P(Covering, EdgesOfTheBoxMatchRays) {
   Counts counts;
   for_views([&](const Rays& rays, const Surface& surface, const Box& box, const Coverage& coverage) {
     const std::vector<BoxEdge> drawn = visible_box(surface, box, &coverage);
@@ -168,8 +169,8 @@ TEST_P(Covering, EdgesOfTheBoxAreAsRaysSay) {
 INSTANTIATE_TEST_SUITE_P(Skala, Covering, testing::Values("sinc", "peaks", "step", "terrain"),
                          [](const auto& chosen) { return std::string(chosen.param); });
 
-// Of three corners of the box one is nearest to the eye: the edges that meet there are left out, whatever the view.
-TEST(VisibleBox, EdgesThatMeetNearestToTheEyeAreLeftOut) {
+// One of the box's corners is nearest to the eye: the edges that meet there are omitted in every view.
+TEST(VisibleBox, EdgesAtTheNearestCornerAreOmitted) {
   const scene::HeightGrid grid = sample(*scene::height_function("saddle"), {5, 5});
   for (int rotation = 5; rotation < 360; rotation += 30)
     for (const double elevation : {-60.0, -10.0, 10.0, 60.0}) {
@@ -185,7 +186,7 @@ TEST(VisibleBox, EdgesThatMeetNearestToTheEyeAreLeftOut) {
     }
 }
 
-// Ticks stand on the outline: no other corner of the box is farther out.
+// Ticks are on the outline: no other corner of the box is farther out.
 TEST(TickEdges, AreOnTheOutline) {
   const scene::HeightGrid grid = sample(*scene::height_function("saddle"), {5, 5});
   for (int rotation = 0; rotation < 360; rotation += 15)

@@ -1,6 +1,7 @@
-// What is visible of a height grid at one place of the screen, by depth alone: everything that crosses a
-// vertical of the screen is put in order of depth, and each is compared with the extremes of what is nearer.
-// It shares nothing with the program under test but the formulas of the projection, written again.
+// The visible part of a height grid at one column of the screen, by depth alone: everything that crosses a vertical line of the
+// screen
+// is sorted by depth, and each is compared with the extremes of what is nearer. It shares with the program under test only the
+// formulas of the projection, which are written again.
 #pragma once
 
 #include <algorithm>
@@ -70,7 +71,7 @@ class DepthScene {
         if (!along_x && j + 1 < grid_.slices()) add(at(i, j), at(i, j + 1), inked);
       }
   }
-  // The ends of slices, joined.
+  // Adds the lines that join the ends of slices.
   void add_rims(bool slices_along_x) {
     if (slices_along_x) {
       for (std::size_t j = 0; j + 1 < grid_.slices(); ++j)
@@ -82,7 +83,7 @@ class DepthScene {
   }
   [[nodiscard]] const std::vector<DepthEdge>& edges() const { return edges_; }
 
-  // The extremes at x of everything that hides and is nearer than `depth` by more than `tolerance`.
+  // The extremes at x of all occluders that are nearer than `depth` by more than `tolerance`.
   [[nodiscard]] Hull nearer(double x, double depth, double tolerance) const {
     Hull hull;
     for (const DepthEdge& edge : edges_) {

@@ -1,5 +1,6 @@
-// Drawings against the oracle by depth: every inked line at many places of the screen, where the oracle's
-// answer is the same within one column of the masks to either side.
+// Drawings compared with the oracle by depth: every drawn line at many columns of the screen where the oracle's result is the
+// same
+// within one mask column to either side.
 #include "tests/host/algorithms/skala/depth_oracle.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +36,7 @@ std::vector<double> drawn_at(const picture::VectorDrawing& drawing, double x) {
 
 enum class Expected { visible, hidden, unsure };
 
-// Unsure if it is not the same everywhere within one column of x.
+// Unsure if the result changes within one column of x.
 Expected expected(const DepthScene& scene, const DepthEdge& edge, double x, double column) {
   constexpr double rounding = 0.001;
   bool ever_visible = false;
@@ -92,7 +93,7 @@ void compare(const DepthScene& scene, const picture::VectorDrawing& drawing, int
 
 class Functions : public testing::TestWithParam<const char*> {};
 
-TEST_P(Functions, LinesAreThoseThatDepthAlonePredicts) {
+TEST_P(Functions, LinesMatchTheDepthOracle) {
   const auto function = scene::height_function(GetParam());
   ASSERT_TRUE(function);
   Tally tally;
@@ -115,7 +116,7 @@ TEST_P(Functions, LinesAreThoseThatDepthAlonePredicts) {
       if (HasFailure()) return;
     }
   }
-  // The comparison must have had something to compare.
+  // Guards against an empty comparison.
   EXPECT_GT(tally.visible, 5000);
   EXPECT_LT(tally.unsure * 20, tally.visible) << tally.visible << " visible, " << tally.hidden << " hidden";
 }

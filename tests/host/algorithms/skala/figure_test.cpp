@@ -1,5 +1,6 @@
-// Figures: everything is on the page, proportions are true, ticks stand where their values are, labels lie in gaps of their lines, and
-// the areas of vector files are the facets of images.
+// Figures: everything is on the page, proportions are correct, ticks are at their values, labels lie in gaps of their lines, and
+// the
+// areas of vector files equal the facets of images.
 #include "host/algorithms/skala/figure.hpp"
 
 #include <gtest/gtest.h>
@@ -65,8 +66,8 @@ TEST(SkalaFigure, EverythingIsOnThePage) {
   }
 }
 
-// From above and not turned: x to the right and the second axis upwards, a unit as long in both.
-TEST(SkalaFigure, TicksStandWhereTheirValuesAre) {
+// Seen from above and not turned: x to the right and the second axis upwards, with equal units.
+TEST(SkalaFigure, TicksAreAtTheirValues) {
   View view;
   view.rotation = 0;
   view.elevation = 90;
@@ -130,7 +131,7 @@ TEST(SkalaFigure, LabelsLieInGapsOfTheirLines) {
             least = std::min(least, std::hypot(p.x - line[k].x - t * ux, p.y - line[k].y - t * uy));
           }
   EXPECT_GT(least, 0.1) << "mm between a label and a line";
-  // What the labels took is all that is missing.
+  // Only the gaps for labels are missing.
   const auto length = [](const Figure& of) {
     double sum = 0;
     for (const char* layer : {"contour", "floor"})
@@ -142,9 +143,9 @@ TEST(SkalaFigure, LabelsLieInGapsOfTheirLines) {
   EXPECT_GT(length(result), 0.75 * length(plain));
 }
 
-// --- areas
+// --- Areas
 
-// How often the outline runs around a point.
+// The winding number of the outline around a point.
 int winding(const VectorDrawing& drawing, std::uint32_t first, std::uint32_t count, double x, double y) {
   int turns = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -157,7 +158,7 @@ int winding(const VectorDrawing& drawing, std::uint32_t first, std::uint32_t cou
   return turns;
 }
 
-// What is painted last there; null: nothing.
+// The shape painted last at a point; null if there is none.
 template <class Shape>
 const Shape* shape_at(const VectorDrawing& drawing, const std::vector<Shape>& shapes, double x, double y) {
   for (auto shape = shapes.rbegin(); shape != shapes.rend(); ++shape)
@@ -198,8 +199,8 @@ class Areas : public testing::TestWithParam<const char*> {
   }
 };
 
-// What they reach under is painted over: the picture is that of the facets.
-TEST_P(Areas, AreTheFacets) {
+// Each area extends under nearer areas, which are painted over it: the picture equals that of the facets.
+TEST_P(Areas, EqualTheFacets) {
   std::mt19937 dice(11);
   int painted = 0;
   for_views([&](const scene::HeightGrid&, const View&, const VectorDrawing& drawing) {
@@ -216,7 +217,7 @@ TEST_P(Areas, AreTheFacets) {
   EXPECT_GT(painted, tests::effort(500, 50));
 }
 
-// Where two facets that are seen share an edge, some area is on both sides of it, so that no paper shines through.
+// Where two visible facets share an edge, some area covers both sides of it, so that no paper shows through.
 TEST_P(Areas, HaveNoSeams) {
   std::mt19937 dice(12);
   int edges = 0;

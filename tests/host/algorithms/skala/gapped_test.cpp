@@ -1,5 +1,6 @@
-// Lines on surfaces with holes and on several surfaces, compared with rays from places on them to the eye. Nothing is shared with the
-// program but the formulas of the projection, written again.
+// Lines on surfaces with holes and on several surfaces, compared with rays from points on them to the eye. The test shares with
+// the
+// program only the formulas of the projection, which are written again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ class SurfacesByRays {
     eye_ = {std::sin(a) * std::cos(e), -std::cos(a) * std::cos(e), std::sin(e)};
     right_ = {std::cos(a), std::sin(a), 0};
     up_ = {-std::sin(a) * std::sin(e), std::cos(a) * std::sin(e), std::cos(e)};
-    // The diagonal is that between the side corners: the nearest corner has the others' x and z on the far side.
+    // The diagonal joins the side corners: the nearest corner's x and z are opposite to the eye's direction.
     const bool near_is_along = (eye_[0] > 0) == (eye_[1] > 0);
     for (std::size_t s = 0; s < grids.size(); ++s)
       for (std::size_t j = 0; j + 1 < grids[s].slices(); ++j)
@@ -64,7 +65,7 @@ class SurfacesByRays {
     return {grid.x[i], grid.z[j], 0.6 * (grid.height(i, j) - (grid.range.low + grid.range.high) / 2) / half};
   }
   [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
-  // How far a corner is above another surface.
+  // The height of a corner above another surface.
   [[nodiscard]] double above(std::size_t surface, const Point& corner) const {
     for (std::size_t j = 0; j < grids_[surface].slices(); ++j)
       for (std::size_t i = 0; i < grids_[surface].points(); ++i)
@@ -75,7 +76,7 @@ class SurfacesByRays {
   [[nodiscard]] std::array<double, 2> on_drawing(const Point& p) const {
     return {(dot(p, right_) - low_[0]) / (high_[0] - low_[0]) * 255, (dot(p, up_) - low_[1]) / (high_[1] - low_[1]) * 255};
   }
-  // How many triangles a ray meets, counting those of cells at (i, j) and about it, and others.
+  // The number of triangles that a ray meets: of cells at and next to (i, j), and of others.
   struct Hits {
     int own = 0;
     int others = 0;
@@ -102,7 +103,7 @@ class SurfacesByRays {
   std::vector<Triangle> triangles_;
 };
 
-// The distance to the nearest line of the drawing that runs as the one from a to b does.
+// The distance to the nearest line of the drawing with the direction from a to b.
 double nearest_line(const picture::VectorDrawing& drawing, std::array<double, 2> p, std::array<double, 2> a, std::array<double, 2> b) {
   const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
   double least = 1e9;
@@ -137,7 +138,7 @@ void compare_lines(const std::vector<scene::HeightGrid>& grids, const View& view
     const Point a = scene.at(s, i, j);
     const Point b = along_x ? scene.at(s, i + 1, j) : scene.at(s, i, j + 1);
     if (!std::isfinite(a[2] + b[2])) continue;
-    // Surely hidden: by others, around the place. Surely visible: by nothing, along the line.
+    // Certainly hidden: hidden by others, in all points around. Certainly visible: met by nothing, along the line.
     constexpr double way = 0.006;
     bool hidden = true;
     bool visible = true;
@@ -159,7 +160,7 @@ void compare_lines(const std::vector<scene::HeightGrid>& grids, const View& view
   }
 }
 
-// The lines in which two surfaces meet, one piece for each triangle: at its middle, seen if no ray from there meets anything else.
+// The lines in which two surfaces meet, one piece per triangle: visible at its middle if no ray from there meets anything else.
 void compare_meetings(const std::vector<scene::HeightGrid>& grids, const View& view, LineCounts& counts) {
   const SurfacesByRays scene(grids, view);
   picture::VectorDrawing drawing = draw(grids, view);
@@ -188,7 +189,7 @@ void compare_meetings(const std::vector<scene::HeightGrid>& grids, const View& v
         others = s == 0 ? hits.others : std::min(others, hits.others);
         near += hits.own;
       }
-      // Of both surfaces those near the place are left out: they meet there.
+      // Cells of both surfaces near the point are excluded, because the surfaces meet there.
       hidden = hidden && others > near;
       visible = visible && others + near == 0;
     }
@@ -210,7 +211,7 @@ View net_view(double rotation, double elevation) {
   view.rotation = rotation;
   view.elevation = elevation;
   view.family = Family::both;
-  // Then a cell is its two triangles, as in this test.
+  // With it a cell is its two triangles, as in this test.
   view.silhouette = true;
   return view;
 }
@@ -240,7 +241,7 @@ TEST_P(GappedSurface, IsSeenThroughItsHoles) {
 
 INSTANTIATE_TEST_SUITE_P(Skala, GappedSurface, testing::Values("sinc", "peaks", "franke", "terrain"), [](const auto& chosen) { return std::string(chosen.param); });
 
-// Two that do not meet, of which one has holes.
+// Two surfaces that do not meet, one with holes.
 TEST(SeveralSurfaces, HideEachOther) {
   LineCounts counts;
   unsigned seed = 1;
@@ -259,7 +260,7 @@ TEST(SeveralSurfaces, HideEachOther) {
   EXPECT_GT(counts.hidden, 100);
 }
 
-// Two that pass through each other, so that in many cells each is partly on top.
+// Two surfaces that pass through each other, so that in many cells each is partly on top.
 TEST(SeveralSurfaces, PassThroughEachOther) {
   LineCounts counts;
   LineCounts meetings;
@@ -302,8 +303,8 @@ TEST(SeveralSurfaces, TouchWithoutALine) {
   }
 }
 
-// In whatever order they are given.
-TEST(SeveralSurfaces, OrderMeansNothing) {
+// In any order of the surfaces.
+TEST(SeveralSurfaces, OrderHasNoEffect) {
   const scene::HeightGrid a = sample(*scene::height_function("saddle"), {9, 9});
   scene::HeightGrid b = a;
   for (double& height : b.heights) height = 0.1 - height / 3;

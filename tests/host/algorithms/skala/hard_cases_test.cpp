@@ -1,5 +1,6 @@
-// The hard cases S1 to S16 of a floating horizon as lines: small grids, flat and end-on surfaces, equal
-// heights, holes, cliffs. Their dots are in the report (host/compare/hard_cases/manifest.json).
+// The hard cases S1 to S16 of a floating horizon as lines: small grids, flat and end-on surfaces, equal heights, holes, cliffs.
+// The
+// report has their pictures in dots (host/compare/hard_cases/manifest.json).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -52,7 +53,7 @@ std::size_t count(const VectorDrawing& drawing, std::uint32_t layer) {
   return lines;
 }
 
-TEST(SkalaHardCases, S1TheFirstSliceIsWhollyVisible) {
+TEST(SkalaHardCases, S1TheFirstSliceIsCompletelyVisible) {
   const VectorDrawing drawing = draw(hard_case_grid("S1.csv"), lines(Family::along_x, 0, 30));
   ASSERT_FALSE(drawing.lines.empty());
   EXPECT_EQ(drawing.lines[0].count, 5U);
@@ -129,7 +130,7 @@ TEST(SkalaHardCases, S5EndOnSlicesAreUprightLines) {
   EXPECT_EQ(places.size(), 4U);
 }
 
-TEST(SkalaHardCases, S4ACliffHidesNothingOfItself) {
+TEST(SkalaHardCases, S4ACliffDoesNotHideItself) {
   // A step in 1/100 of the width: both slices go up and down again.
   const VectorDrawing drawing = draw(hard_case_grid("S4.dat"), lines(Family::along_x, 0, 30));
   ASSERT_FALSE(drawing.lines.empty());
@@ -148,7 +149,7 @@ TEST(SkalaHardCases, UndefinedHeightsBreakSlicesAndHideNothing) {
 }
 
 TEST(SkalaHardCases, S10IslandsHaveNoStripBetweenThem) {
-  // Two peaks with nothing between; a far wall is seen through the gap.
+  // Two peaks with a gap between them; the far wall is visible through the gap.
   const VectorDrawing drawing = draw(hard_case_grid("S10.csv"), lines(Family::along_x, 0, 5));
   bool through = false;
   for (const picture::DrawingLine& line : drawing.lines)
@@ -166,7 +167,7 @@ TEST(SkalaHardCases, S15TheUndersideOfAPitIsSeen) {
 }
 
 TEST(SkalaHardCases, S16AContourAtVerticesIsOneLine) {
-  // Levels 0.5, 1, 1.5 of 0..2: the middle one goes through a whole row of vertices.
+  // Levels 0.5, 1, 1.5 of 0..2: the middle one passes through a whole row of vertices.
   View view = lines(Family::automatic, 0, 60);
   view.subject = Subject::contours;
   view.levels = 3;
@@ -183,7 +184,7 @@ TEST(SkalaHardCases, HugeAndTinyHeights) {
   }
 }
 
-// Their halves are equal, so that nothing can be said of where between them a level is.
+// Their halves are equal, so that the position of a level between them is undefined.
 TEST(SkalaHardCases, ContoursBetweenHeightsThatHardlyDiffer) {
   constexpr double least = 5e-324;
   for (const int levels : {1, 7}) {

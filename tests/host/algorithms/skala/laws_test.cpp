@@ -1,4 +1,4 @@
-// What must hold of every drawing, whatever the surface.
+// Laws that hold for every drawing of every surface.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ bool near_segment(picture::DrawingPoint p, picture::DrawingPoint a, picture::Dra
 
 class Views : public testing::TestWithParam<double> {};
 
-TEST_P(Views, WithoutVisibilityEverythingIsThere) {
+TEST_P(Views, WithoutVisibilityEverythingIsDrawn) {
   for (const Subject subject : {Subject::lines, Subject::contours}) {
     View view;
     view.subject = subject;
@@ -64,7 +64,7 @@ TEST_P(Views, WithoutVisibilityEverythingIsThere) {
   }
 }
 
-// Data turned by a quarter and seen from a quarter less is the same picture, with the families exchanged.
+// Data turned by 90 degrees and seen from 90 degrees less give the same picture, with the families exchanged.
 TEST_P(Views, AQuarterTurnOfTheDataIsAQuarterTurnOfTheEye) {
   const scene::HeightGrid grid = grid_of("rogers");
   scene::HeightGrid turned{grid.z, grid.x, {}, grid.domain_z, grid.domain_x, grid.range};
@@ -86,7 +86,7 @@ TEST_P(Views, AQuarterTurnOfTheDataIsAQuarterTurnOfTheEye) {
 
 TEST_P(Views, MirroredDataGiveTheMirroredPicture) {
   const bool square =
-      std::fmod(GetParam(), 90.0) == 0;  // cells have no nearest corner, but are still divided
+      std::fmod(GetParam(), 90.0) == 0;  // cells have no nearest corner, but are divided all the same
   for (const Subject subject : {Subject::lines, square ? Subject::lines : Subject::contours}) {
     const scene::HeightGrid grid = grid_of("peaks");
     scene::HeightGrid mirrored = grid;
@@ -109,8 +109,9 @@ TEST_P(Views, MirroredDataGiveTheMirroredPicture) {
   }
 }
 
-// Finer masks change where lines end by less than a coarse column lets them. (Of the family that is less
-// end-on: the other's lines are so steep that a column is much of their length.)
+// Finer masks move the ends of lines by less than one coarse column. (For the family that is less end-on: the lines of the other
+// are
+// so steep that a column is a large part of their length.)
 TEST_P(Views, FinerMasksAgree) {
   View view;
   view.rotation = GetParam();
@@ -120,7 +121,7 @@ TEST_P(Views, FinerMasksAgree) {
   EXPECT_NEAR(length_of(coarse, 0) / length_of(draw(grid, view), 0), 1, 0.002);
 }
 
-// Faces seen from below are those seen from above of the surface turned over.
+// Faces seen from below equal those of the inverted surface seen from above.
 TEST_P(Views, FromBelowIsTheNegativeFromAbove) {
   const scene::HeightGrid grid = grid_of("franke");
   scene::HeightGrid over = grid;
@@ -137,7 +138,7 @@ TEST_P(Views, FromBelowIsTheNegativeFromAbove) {
 
 INSTANTIATE_TEST_SUITE_P(Skala, Views, testing::Values(0.0, 17.0, 45.0, 90.0, 135.0, 200.0, 269.5, 330.0));
 
-// Without visibility a contour of a closed hill is one closed line a level, all of it at its level.
+// Without visibility a contour of a closed hill is one closed line per level, all of it at its level.
 TEST(SkalaContours, AreClosedLinesAtTheirLevel) {
   View view;
   view.subject = Subject::contours;
@@ -160,7 +161,7 @@ TEST(SkalaContours, AreClosedLinesAtTheirLevel) {
   }
 }
 
-TEST(SkalaSurface, HiddenCellsAreLeftOutAndTheRestIsFarToNear) {
+TEST(SkalaSurface, HiddenCellsAreOmittedAndTheRestIsFarToNear) {
   View view;
   view.subject = Subject::surface;
   const VectorDrawing drawing = draw(grid_of("sinc", 41, 41), view);
@@ -170,8 +171,8 @@ TEST(SkalaSurface, HiddenCellsAreLeftOutAndTheRestIsFarToNear) {
   for (const picture::DrawingFacet& facet : drawing.facets) EXPECT_TRUE(facet.count == 3 || facet.count == 4);
 }
 
-// What the masks leave out is what the painter covers: the picture of all cells is the same.
-TEST(SkalaSurface, LeavingOutHiddenCellsChangesNoPixel) {
+// The masks omit only cells that the painter would cover: the picture of all cells is the same.
+TEST(SkalaSurface, OmittingHiddenCellsChangesNoPixel) {
   for (const char* name : {"sinc", "peaks", "rosen", "step"}) {
     View view;
     view.subject = Subject::surface;

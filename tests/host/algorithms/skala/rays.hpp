@@ -1,4 +1,4 @@
-// Rays through triangles in floating point, for tests that share nothing with the programs.
+// Rays through triangles in floating point, for tests that share no code with the programs.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ inline Point between(const Point& a, const Point& b, double t) {
   return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
 }
 
-// Does the ray meet the triangle, farther than `least` of its direction away?
+// Whether the ray meets the triangle farther away than `least` times its direction.
 inline bool meets(const Point& from, const Point& direction, const std::array<Point, 3>& triangle, double least) {
   const Point u = triangle[1] - triangle[0];
   const Point v = triangle[2] - triangle[0];

@@ -1,5 +1,6 @@
-// Boundary, distances and cuts: areas by sampling, and the filter against numbers of any length. Pair tests and
-// the paper's figures: hard_cases_test.cpp.
+// Boundaries, distances and cuts: areas by sampling, and the filter compared with numbers of any length. hard_cases_test.cpp has
+// pair
+// tests and the paper's figures.
 #include "host/algorithms/willis/boundary.hpp"
 
 #include <gtest/gtest.h>
@@ -53,7 +54,7 @@ TEST(WillisBoundary, AreasBySampling) {
   expect(halves, halves_ovals_area());
 }
 
-// Normals of (-0.98, -0.17) and (0.98, -0.17), looked at along +z: both are seen, one hides the other.
+// Normals of (-0.98, -0.17) and (0.98, -0.17), seen along +z: both are visible, one hides the other.
 TEST(WillisBoundary, OcclusionWithNormalsFarBeyond90Degrees) {
   const Surface near = wall({17, 0}, {0, 98});
   ASSERT_EQ(near.plane.normal, (Vector3{98, 0, 17}));
@@ -63,7 +64,7 @@ TEST(WillisBoundary, OcclusionWithNormalsFarBeyond90Degrees) {
   EXPECT_FALSE(can_obscure(s, t, true));
 }
 
-// The same answers with and without the filter, mostly at and next to equality.
+// The same results with and without the filter, mostly at and next to equality.
 TEST(WillisDistance, FilterAgainstLongNumbers) {
   std::mt19937 random(3);
   const auto coordinate = [&](std::int32_t size) {
@@ -75,7 +76,7 @@ TEST(WillisDistance, FilterAgainstLongNumbers) {
     const auto triangle = [&] {
       Surface s;
       for (int k = 0; k < 3; ++k) s.points.push_back({coordinate(size), coordinate(size), coordinate(size)});
-      // Any vector square to the triangle does; a short one, as the planes of scenes have.
+      // Any vector perpendicular to the triangle will do; a short one, as in the planes of scenes.
       const Vector3 u = between(s.points[1], s.points[0]);
       const Vector3 v = between(s.points[2], s.points[0]);
       if (size < 4000) s.plane.normal = geometry::cross(u, v);
@@ -92,13 +93,13 @@ TEST(WillisDistance, FilterAgainstLongNumbers) {
     }
     equal += within_exactly(s, t, limit) != within_exactly(s, t, limit - (limit > 0));
   }
-  EXPECT_GT(equal, 10);  // equality is met
+  EXPECT_GT(equal, 10);  // equality occurs
 }
 
 TEST(WillisCut, PiecesTileTheSurfaceAndItsDiameterFalls) {
   std::mt19937 random(11);
   for (int i = 0; i < 200; ++i) {
-    // A parallelogram on the plane x + y + z = 0, by two integer edges.
+    // A parallelogram in the plane x + y + z = 0, given by two integer edges.
     const auto edge = [&] {
       const auto a = static_cast<std::int32_t>(random() % 2000) - 1000;
       const auto b = static_cast<std::int32_t>(random() % 2000) - 1000;

@@ -1,8 +1,9 @@
-// The hard cases W1 to W16 of Willis (1977) from within: boundaries, pair tests, cuts, orders. Pictures and
-// counts of the same files are in the report (host/compare/hard_cases/manifest.json).
+// The hard cases W1 to W16 of Willis (1977) at the level of the algorithm: boundaries, pair tests, cuts, orders. The report has
+// pictures and counts of the same files (host/compare/hard_cases/manifest.json).
 //
-// Walls are sheets, seen from both sides: side 2 i and side 2 i + 1 are those of wall i, and a cluster of two
-// of the paper's one-sided walls counts twice.
+// Walls are sheets, visible from both sides: sides 2 i and 2 i + 1 belong to wall i, and a cluster of two of the paper's
+// one-sided
+// walls counts twice.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -95,7 +96,7 @@ TEST(WillisHardCases, W4InTheOvalOnly) {
   EXPECT_NEAR(two_circles_area() / oval_area(), 0.98312, 5e-6);  // "about 2 %" less
 }
 
-// In squares of the wall's length: what of a square of three lengths around it its boundaries cover.
+// In units of the wall's length squared: the part of a square of three lengths around it that its boundaries cover.
 double covered(const std::vector<Surface>& walls, const Surface& whole, BoundaryShape shape) {
   constexpr int steps = 600;
   const std::int32_t from = std::min(whole.points[0][0], whole.points[1][0]);
@@ -155,7 +156,7 @@ TEST(WillisHardCases, W13AWallThatBeginsAtTheEyeIsNotShown) {
   expect_only_the_second_wall("W13.json");
 }
 
-// Walls whose points are equally far from the eye: the order of the scene does not show.
+// Walls whose points are at equal distances from the eye: the result does not depend on the order in the scene.
 TEST(WillisHardCases, W9EqualDistances) {
   const PolyScene scene = hard_case_scene("W9.json");
   std::vector<Surface> sides = sides_of("W9.json");
@@ -172,8 +173,9 @@ TEST(WillisHardCases, W9EqualDistances) {
   EXPECT_EQ(picture(model_of(scene)), picture(model_of(std::move(sides))));
 }
 
-// Bisection: some two pieces for every halving on the way down, not a thousand. The short wall is exactly at
-// its own length, so it is cut, too.
+// Bisection makes about two pieces per halving on the way down, not a thousand. The short wall is exactly at its own length, so
+// it
+// is cut, too.
 TEST(WillisHardCases, W10PiecesByTheLogarithmOfTheLength) {
   std::array<std::size_t, 2> pieces{};
   for (const Surface& s : model_of(hard_case_scene("W10.json")).pieces) ++pieces[s.face];
@@ -206,7 +208,7 @@ TEST(WillisHardCases, W11CutWhereTheyCross) {
     for (const Surface& t : model.pieces) EXPECT_FALSE(straddles(s, t) && straddles(t, s));
 }
 
-// s hides the end b of another wall from the eye: it lies beyond s, on a line through the inside of s.
+// Whether s hides the end b of another wall from the eye: b is beyond s, on a line through the inside of s.
 bool hides_end(const Surface& s, const Point& b, const Point& eye) {
   if (s.plane.side(b) >= 0) return false;
   const auto side = [&](const Point& p) {
@@ -217,7 +219,7 @@ bool hides_end(const Surface& s, const Point& b, const Point& eye) {
   return side(s.points[0]) * side(s.points[1]) < 0;
 }
 
-// Pairs of corners of every two pieces of which one hides an end of the other; the nearer piece's is nearer.
+// Of every two pieces of which one hides an end of the other, the nearer piece's corners must be nearer.
 std::size_t expect_in_order(const Model& model, const Point& eye) {
   std::size_t pairs = 0;
   std::size_t wrong = 0;
@@ -240,8 +242,8 @@ std::size_t expect_in_order(const Model& model, const Point& eye) {
   return pairs;
 }
 
-// Eyes on circles of three radii, one a degree.
-TEST(WillisHardCases, W12AnyCornerMayStandForAPiece) {
+// Eyes on circles of three radii, one per degree.
+TEST(WillisHardCases, W12AnyCornerMayRepresentAPiece) {
   const Model model = model_of(hard_case_scene("W12.json"));
   std::size_t pairs = 0;
   for (const double radius : {300.0, 1500.0, 40000.0}) {
@@ -255,7 +257,7 @@ TEST(WillisHardCases, W12AnyCornerMayStandForAPiece) {
   EXPECT_GT(pairs, 1000U);
 }
 
-TEST(WillisHardCases, W14RightAnglesCountAsWithin90) {
+TEST(WillisHardCases, W14RightAnglesAreWithin90) {
   const auto sides = sides_of("W14.json");
   EXPECT_EQ(geometry::dot(sides[0].plane.normal, sides[2].plane.normal), 0);
   int can = 0;
@@ -268,8 +270,8 @@ TEST(WillisHardCases, W14RightAnglesCountAsWithin90) {
   EXPECT_GT(can, 0);
 }
 
-// Points wrong, without those beside other faces, in the worst of the pictures with the first and with the
-// second corner of each piece.
+// The number of wrong points, without those next to other faces, in the worst of the pictures in which the first or the second
+// corner represents each piece.
 int most_wrong(const Model& model, const PolyScene& scene, int size) {
   const picture::PixelGrid truth = oracle::nearest_faces(scene, {scene.camera, size, size});
   const auto inside = [&](int column, int row) {
@@ -291,7 +293,7 @@ int most_wrong(const Model& model, const PolyScene& scene, int size) {
   return most;
 }
 
-// With the rule there is no cluster, and the order is wrong; without it the walls are cut until it is right.
+// With the rule there is no cluster, and the order is wrong; without it the walls are cut until the order is correct.
 TEST(WillisHardCases, W14Beyond90DegreesTheRuleIsWrong) {
   const PolyScene scene = hard_case_scene("W14-beyond.json");
   std::vector<Surface> seen;
@@ -306,7 +308,7 @@ TEST(WillisHardCases, W14Beyond90DegreesTheRuleIsWrong) {
   EXPECT_EQ(most_wrong(model, scene, 128), 0);
 }
 
-// Side 0 of the first wall is seen from before z = 0, where the second one's other end is not.
+// Side 0 of the first wall is visible from in front of z = 0, from where the second wall's other end is not.
 TEST(WillisHardCases, W15OnThePlaneIsNotBehindIt) {
   const auto sides = sides_of("W15.json");
   const auto hidden = [&](std::size_t by, std::size_t wall) {

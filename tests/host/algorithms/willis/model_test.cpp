@@ -1,5 +1,6 @@
-// Models: clusters cut until there are none, what is left over, order cells, and the specification's figures
-// for what wrong order costs at each depth.
+// Models: clusters are cut until there are none; residual pairs; order cells; and the specification's figures for the error of a
+// wrong
+// order at each depth.
 #include "host/algorithms/willis/model.hpp"
 
 #include <gtest/gtest.h>
@@ -36,17 +37,17 @@ scene::PolyCamera eye_at(std::int32_t x, std::int32_t z) {
 TEST(WillisModel, TouchingWallsOfDifferentSolids) {
   const Surface s = wall({0, 0}, {10, 0}, 0);
   const Surface t = wall({10, 0}, {20, 5}, 1);
-  // As a corner, from its inside or outside, neither can obscure the other.
+  // In a corner seen from its inside or outside, neither wall can occlude the other.
   EXPECT_TRUE(plan_model({s, t}).residual.empty());
   EXPECT_TRUE(plan_model({turned(s), turned(t)}).residual.empty());
-  // One seen from below, the other from above: one can hide the other, and no number of cuts helps.
+  // If one is seen from below and the other from above, one can hide the other, and no number of cuts helps.
   ModelOptions cuts_only;
   cuts_only.order_cells = false;
   const Model cut = plan_model({turned(s), t}, cuts_only);
   EXPECT_FALSE(cut.residual.empty());
   for (const Residual& pair : cut.residual) EXPECT_EQ(pair.reason, ResidualReason::touching);
   EXPECT_LE(cut.pieces.size(), 32U);
-  // An order cell does.
+  // An order cell helps.
   const Model ordered = plan_model({turned(s), t});
   EXPECT_TRUE(ordered.residual.empty());
   EXPECT_EQ(ordered.cells.nodes.size(), 1U);
@@ -69,7 +70,7 @@ TEST(WillisModel, AnyRepresentativeGivesTheOrder) {
   const scene::PolyScene scene = scene::generate_prisms(6, 5, 150);
   const Model model = model_of(scene, {.plan = true});
   ASSERT_TRUE(model.residual.empty());
-  // Eyes on circles of three radii around the middle, a degree apart.
+  // Eyes on circles of three radii around the middle, one per degree.
   for (const double radius : {1500.0, 12500.0, 200000.0}) {
     for (int degree = 0; degree < 360; ++degree) {
       const double angle = degree * std::numbers::pi / 180;
@@ -98,8 +99,9 @@ TEST(WillisModel, AnyRepresentativeGivesTheOrder) {
   }
 }
 
-// Willis's figures for the prism town (crosscheck, section 5): fewer wrong lines and fewer pairs left over at
-// each further depth, none wrong when none is left.
+// Willis's figures for the prism town (cross-check, section 5): each further depth has fewer wrong lines and fewer residual
+// pairs;
+// without residual pairs no line is wrong.
 TEST(WillisModel, ResidualAndErrorFallWithDepth) {
   const scene::PolyScene scene = scene::generate_prisms(35);
   std::size_t last = ~std::size_t{0};
@@ -130,12 +132,11 @@ TEST(WillisModel, Rule90GivesTheWrongOrder) {
   const Model paper = plan_model(walls, {.rules = {BoundaryShape::ball, true}});
   EXPECT_EQ(paper.clusters, 0U);
   ASSERT_EQ(paper.pieces.size(), 2U);
-  // The hidden wall's beginning is nearer than the far end of the one before it.
+  // The hidden wall's beginning is nearer than the far end of the wall in front of it.
   Frames wrong(paper);
   const std::vector<std::uint32_t> ends{0, 0};
   EXPECT_EQ(paper.pieces[wrong.order(eye, ends).back()].face, 1U);
-  // Without the rule they are cut until whichever points stand for them the pieces on that sight line are
-  // in order.
+  // Without the rule they are cut until the pieces on that sight line are in order for every choice of representatives.
   const Model model = plan_model(walls);
   EXPECT_GT(model.clusters, 0U);
   EXPECT_TRUE(model.residual.empty());
@@ -168,8 +169,8 @@ TEST(WillisModel, LimitsAreNamed) {
   EXPECT_EQ(reasons({.pieces = 6}), ResidualReason::pieces);
 }
 
-// The bound is on the number that a model without it counts.
-TEST(WillisModel, MoreTestsThanTheLimitAreRefused) {
+// The limit is the number that a model without it counts.
+TEST(WillisModel, MoreTestsThanTheLimitAreAnError) {
   const scene::PolyScene scene = scene::generate_boxes(20);
   ModelOptions options;
   const auto whole = make_model(scene, options);
@@ -210,7 +211,7 @@ TEST(WillisModel, OrderCells) {
   expect_right(scene::generate_touch(2));
   expect_right(scene::generate_rooms(2));
   for (const std::uint64_t seed : {1U, 2U, 3U}) expect_right(scene::generate_bricks(8, seed));
-  // A solid that is not convex: a U.
+  // A non-convex solid: a U.
   scene::PolyBuilder builder;
   const std::vector<PlanPoint> u{{0, 0},     {300, 0},   {300, 300}, {200, 300},
                                  {200, 100}, {100, 100}, {100, 300}, {0, 300}};
@@ -224,7 +225,7 @@ TEST(WillisModel, SmallSeparatedScenes) {
   expect_right(scene::generate_prisms(5, 1, 150), {.rules = {BoundaryShape::oval, false}});
 }
 
-TEST(WillisModel, PlanRefusesWhatIsNoWall) {
+TEST(WillisModel, PlanAcceptsOnlyWalls) {
   EXPECT_FALSE(make_model(scene::generate_triangles(3), {.plan = true}));
   const Model model = model_of(scene::generate_town(4), {.plan = true});
   scene::PolyCamera camera = scene::generate_town(4).camera;

@@ -1,5 +1,4 @@
-// Pictures against the nearest face at each point, found exactly for each; and that any point of a surface
-// may stand for it.
+// Pictures compared with the exact nearest face at each point; and pictures for every choice of representative points.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -13,7 +12,7 @@
 namespace sightline::algorithms::willis {
 namespace {
 
-// A level camera along +z whose points have whole-numbered sight lines.
+// A level camera along +z whose points have integer sight lines.
 struct Setting {
   scene::PolyCamera camera;
   ImageWindow window;
@@ -26,12 +25,12 @@ Setting setting_at(const scene::PolyPoint& eye, int size) {
   return setting;
 }
 
-// Faces of bodies as they are, without what this algorithm makes of them, numbered from 1.
+// The faces of the bodies before any processing by this algorithm, numbered from 1.
 picture::PixelGrid nearest_faces(const scene::PolyScene& scene, const Setting& setting) {
   return oracle::nearest_faces(scene, {setting.camera, setting.window.width, setting.window.width});
 }
 
-// Points around which all is one face in the truth, where the picture has another.
+// Counts points that differ although all points around them are of one face in the true picture.
 int wrong_inside(const picture::PixelGrid& truth, const picture::PixelGrid& drawn) {
   int wrong = 0;
   for (int row = 1; row + 1 < truth.height; ++row) {
@@ -74,7 +73,7 @@ void expect_exact(const scene::PolyScene& scene, const Setting& setting, const M
   EXPECT_EQ(drawn(model, setting, representatives), picture) << scene.name;
 }
 
-TEST(WillisPicture, ScenesAgainstTheNearestFace) {
+TEST(WillisPicture, ScenesMatchTheNearestFace) {
   expect_exact(scene::generate_boxes(8), setting_at({1013, 987, -1507}, 128));
   expect_exact(scene::generate_town(5), setting_at({1511, 397, -1493}, 128));
   expect_exact(scene::generate_touch(2), setting_at({903, 1107, -1301}, 128));
@@ -92,8 +91,8 @@ TEST(WillisPicture, PrismTownFromWithinInPlan) {
   EXPECT_EQ(different(nearest_faces(scene, setting), drawn(model, setting)), 0);
 }
 
-// At a size at which every gap between pieces would show as a hole in a face.
-TEST(WillisPicture, NothingShowsBetweenPieces) {
+// At a size at which every gap between pieces would be visible as a hole in a face.
+TEST(WillisPicture, NoGapsBetweenPieces) {
   const scene::PolyScene scene = scene::generate_boxes(8);
   const auto made = make_model(scene);
   const Setting setting = setting_at({1013, 987, -1507}, 1500);

@@ -1,4 +1,4 @@
-// A hundred thousand random sight lines over each split model: no wrong order where nothing is left over.
+// A hundred thousand random sight lines through each split model: no wrong order if there are no residual pairs.
 #include "host/algorithms/willis/sight_lines.hpp"
 
 #include <gtest/gtest.h>

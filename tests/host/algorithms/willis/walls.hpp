@@ -1,4 +1,4 @@
-// Walls in plan, as the paper and the list of hard cases have them, and prisms over any outline.
+// Walls in plan, as in the paper and in the list of hard cases, and prisms over any outline.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace sightline::algorithms::willis {
 
 using PlanPoint = std::array<std::int32_t, 2>;
 
-// From a to b; seen from the right-hand side of someone who walks from a to b.
+// From a to b; visible from the right-hand side of the direction from a to b.
 inline Surface wall(PlanPoint a, PlanPoint b, std::uint32_t face = 0) {
   Surface s;
   s.points = {on_lattice({a[0], 0, a[1]}), on_lattice({b[0], 0, b[1]})};

@@ -1,6 +1,6 @@
-// The manifest of the hard cases: it is read whole, what is damaged is refused with file and place, its
-// inputs and the tests it names exist. And the search for a first failure, on builds that fail where one
-// says.
+// The manifest of the hard cases: it is read completely, damage is reported with file and position, its inputs and the tests that
+// it
+// names exist. Also the search for a first failure, on builds that fail at given values.
 #include "host/compare/hard_cases/manifest.hpp"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ TEST(HardCaseManifest, HasEveryCase) {
   }
 }
 
-// Every file is some case's, every case's input is there, and a method is known.
+// Every file belongs to a case, every case's input exists, and its method is known.
 TEST(HardCaseManifest, InputsAndMethodsExist) {
   std::set<std::string> used{std::string(file)};
   for (const HardCaseGroup& group : manifest().groups) {
@@ -67,7 +67,7 @@ TEST(HardCaseManifest, InputsAndMethodsExist) {
   for (const auto& [name, text] : hard_case_files()) EXPECT_TRUE(used.contains(std::string(name))) << name;
 }
 
-// What the page says is checked by a test is: its name stands in the sources.
+// The tests that the page names exist: their names occur in the sources.
 TEST(HardCaseManifest, NamedTestsExist) {
   std::string sources;
   for (const auto& entry :
@@ -102,7 +102,7 @@ std::string refusal(std::string from, std::string to) {
   return read ? "" : read.error().message();
 }
 
-TEST(HardCaseManifest, DamageIsRefusedWithFileAndPlace) {
+TEST(HardCaseManifest, DamageIsReportedWithFileAndPosition) {
   EXPECT_EQ(refusal("\"id\": \"J1\"", "\"id\": 1"),
             "manifest.json: groups[0].cases[0].id: expected a string of up to 400 printable ASCII "
             "characters, found 1");
@@ -154,7 +154,7 @@ TEST(FirstFailures, AreFoundByTryingEachAndByBisection) {
 }
 
 // The judge of lines must be able to say no.
-TEST(HardCaseRunner, SegmentsAreSeenWholeInPartOrNotAtAll) {
+TEST(HardCaseRunner, SegmentsAreVisibleCompletelyPartlyOrNotAtAll) {
   scene::PolyScene scene;
   scene.vertices = {{0, 0, 5}, {10, 0, 5}, {20, 0, 5}, {0, 7, 5}};
   const SceneSegment segment{{{20, 0, 5}, {0, 0, 5}}};
@@ -167,8 +167,8 @@ TEST(HardCaseRunner, SegmentsAreSeenWholeInPartOrNotAtAll) {
   EXPECT_EQ(seen_of({{{0, 1, 5}, {20, 1, 5}}}, picture, scene), SegmentSeen::nothing);
 }
 
-// And so must the runner: with another expectation than the right one every kind of case is wrong.
-TEST(HardCaseRunner, FindsWhatIsNotAsExpected) {
+// So must the runner: with a changed expectation every kind of case fails.
+TEST(HardCaseRunner, FindsUnexpectedResults) {
   const auto finding = [](HardCase hard, const char* method) {
     return CaseRun(hard, load_input(hard)).run(method);
   };
@@ -199,8 +199,8 @@ TEST(HardCaseRunner, FindsWhatIsNotAsExpected) {
   EXPECT_EQ(finding(none, "jones").good, false);
 }
 
-// A record that is not what comes out is found: the two directions of a case, and of a family's first failure.
-TEST(HardCaseRecords, WhatIsOtherwiseIsFound) {
+// A record that differs from the result is found: both directions of a case, and of a family's first failure.
+TEST(HardCaseRecords, DeviationsAreFound) {
   HardCase hard;
   hard.input = "J5.json";
   hard.run = {"jones"};
@@ -235,7 +235,7 @@ picture::Image grey(const std::vector<std::uint8_t>& pixels) {
   return image;
 }
 
-// Dark in the expected picture only, in the found one only, in both, in none.
+// Dark only in the expected picture, only in the found one, in both, in neither.
 TEST(HardCasePictures, MarkWhatDiffers) {
   const picture::Image image = side_by_side(grey({0, 255, 0, 255}), grey({255, 0, 0, 255}), "guest");
   ASSERT_EQ(image.channels, 3);
@@ -278,8 +278,8 @@ TEST(HardCaseCommands, AreTheInputInTheViewOfTheCase) {
   EXPECT_EQ(command("S7", "octants"), "");
 }
 
-// Every text among the inputs says what it is; no scene and no grid is taken for one.
-TEST(HardCaseCommands, TextsSayWhatTheyAre) {
+// Every text among the inputs begins with a description; none is read as a scene or grid.
+TEST(HardCaseCommands, TextsAreRecognised) {
   for (const auto& [name, text] : hard_case_files())
     EXPECT_EQ(kind_of_commands(text).empty(), !name.ends_with(".txt")) << name;
   EXPECT_EQ(kind_of_commands("# a comment\nMOVE 10 0\n"), "commands of Skala's program on the 8080");

@@ -1,5 +1,5 @@
-// Every row of the manifest is run by every method it names, and gives what it records; families fail first
-// where it says.
+// Every row of the manifest is run by all methods that it names, with the recorded results; families fail first at the recorded
+// value.
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ INSTANTIATE_TEST_SUITE_P(, HardCaseRuns,
                            return group.param == "montani-re" ? std::string("montani_re") : group.param;
                          });
 
-// Right, or wrong as it is known to be, word by word; what a method does not apply to it says.
+// Correct, or wrong exactly as recorded; a method that does not apply says so.
 TEST_P(HardCaseRuns, GiveWhatTheManifestRecords) {
   for (const HardCaseGroup& group : manifest().groups) {
     if (group.id != GetParam()) continue;
@@ -42,7 +42,7 @@ TEST_P(HardCaseRuns, GiveWhatTheManifestRecords) {
   }
 }
 
-// The case with one expectation changed at a time; `what` says which.
+// The case with one expectation changed; `what` names it.
 struct ChangedCase {
   std::string what;
   HardCase hard;
@@ -67,7 +67,7 @@ std::vector<ChangedCase> changed_expectations(const HardCase& hard) {
   return changed;
 }
 
-// An expectation that no method is asked for would be good whatever happens.
+// An expectation that no method checks would always pass.
 TEST_P(HardCaseRuns, EveryExpectationIsChecked) {
   for (const HardCaseGroup& group : manifest().groups) {
     if (group.id != GetParam()) continue;
@@ -83,8 +83,8 @@ TEST_P(HardCaseRuns, EveryExpectationIsChecked) {
   }
 }
 
-// The method measures the distance of a piece to its first corner. Any other must give right pictures, too.
-TEST(WillisCorners, AnyOneOfAPieceGivesItsDistance) {
+// The method measures the distance of a piece to its first corner. Any other corner must also give correct pictures.
+TEST(WillisCorners, AnyCornerMayGiveTheDistance) {
   namespace views = sightline::compare;
   std::size_t cases = 0;
   for (const HardCaseGroup& group : manifest().groups) {
@@ -110,7 +110,7 @@ TEST(WillisCorners, AnyOneOfAPieceGivesItsDistance) {
   EXPECT_GT(cases, 20U);
 }
 
-TEST(HardCaseFamilies, FailFirstWhereTheManifestSays) {
+TEST(HardCaseFamilies, FailFirstAsRecorded) {
   for (const Family& family : manifest().families) {
     const auto results = run_family(family);
     ASSERT_TRUE(results) << results.error().message();

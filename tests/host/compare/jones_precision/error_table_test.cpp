@@ -1,5 +1,6 @@
-// The error table of Jones's program measured on the emulated machine, against the one first measured in a
-// prototype (jones.md section 5): per cent of the visible length, six views a scene.
+// The error table of Jones's program measured on the emulated machine, compared with the one first measured in a prototype: per
+// cent
+// of the visible length, six views per scene.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -14,7 +15,7 @@ using namespace programs::jones;
 
 constexpr std::size_t scenes = 4, builds = 6;
 constexpr std::size_t corridor8 = 3;
-// Round f = 0..3, cut off f = 0 and 2.
+// Rounded with f = 0..3, truncated with f = 0 and 2.
 constexpr std::array<std::array<double, builds>, scenes> published{{{0.23, 0.11, 0.05, 0.03, 0.41, 0.11},
                                                                     {0.68, 0.31, 0.17, 0.08, 1.27, 0.32},
                                                                     {0.67, 0.35, 0.18, 0.09, 1.34, 0.33},
@@ -41,9 +42,10 @@ TEST_F(JonesErrorTable, EveryViewIsComplete) {
   }
 }
 
-// The house and the corridor come out as published. The two open scenes have a quarter to a third less: the
-// program crosses no opening from behind and bounds lines in space, which the prototype did not.
-TEST_F(JonesErrorTable, IsThePublishedOne) {
+// The house and the corridor equal the published table. The two open scenes have a quarter to a third less: the program crosses
+// no
+// opening from behind and bounds lines in space, unlike the prototype.
+TEST_F(JonesErrorTable, EqualsThePublishedTable) {
   for (std::size_t build = 0; build < builds; ++build) {
     for (const std::size_t scene : {std::size_t{0}, corridor8})
       EXPECT_NEAR(per_cent(scene, build), published[scene][build], 0.04) << scene << ' ' << build;
@@ -56,17 +58,17 @@ TEST_F(JonesErrorTable, IsThePublishedOne) {
 
 TEST_F(JonesErrorTable, EachBitAboutHalvesTheErrorAndRoundingIsWorthABit) {
   for (std::size_t scene = 0; scene < scenes; ++scene) {
-    const std::size_t first = scene == corridor8 ? 3 : 1;  // its wrong piece hides the rest until f = 2
+    const std::size_t first = scene == corridor8 ? 3 : 1;  // its wrong piece dominates the error until f = 2
     for (std::size_t f = first; f <= 3; ++f) {
       const double ratio = per_cent(scene, f - 1) / per_cent(scene, f);
       EXPECT_GT(ratio, 1.6) << scene << " f=" << f;
       EXPECT_LT(ratio, 2.5) << scene << " f=" << f;
     }
-    EXPECT_GT(per_cent(scene, 5), 1.5 * per_cent(scene, 2)) << "cut off, f = 2";
+    EXPECT_GT(per_cent(scene, 5), 1.5 * per_cent(scene, 2)) << "truncated, f = 2";
   }
 }
 
-// A ceiling line 0.2 points behind a lintel, both rounded to the same place: hard case "coincident boundary".
+// A ceiling line 0.2 points behind a lintel, rounded to the same position: hard case "coincident boundary".
 TEST_F(JonesErrorTable, OnePieceIsWrongByMoreThanTwentyPoints) {
   for (std::size_t scene = 0; scene < scenes; ++scene) {
     for (std::size_t build = 0; build < builds; ++build) {
@@ -86,8 +88,8 @@ TEST_F(JonesErrorTable, OnePieceIsWrongByMoreThanTwentyPoints) {
   }
 }
 
-// Between whole points the fraction bits cannot be seen, but for the wrong piece.
-TEST_F(JonesErrorTable, OnTheDisplayFractionBitsOnlyMendTheWrongPiece) {
+// Between whole points the fraction bits are invisible, except for the wrong piece.
+TEST_F(JonesErrorTable, OnTheDisplayFractionBitsOnlyCorrectTheWrongPiece) {
   for (std::size_t scene = 0; scene < scenes; ++scene) {
     const auto shown = [&](std::size_t build) {
       return 100 * table.rows[scene].cells[build].displayed->share();

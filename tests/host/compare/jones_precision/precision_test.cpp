@@ -1,4 +1,4 @@
-// Jones's program in other arithmetic, and the measure of what that costs.
+// Jones's program in other arithmetic, and the measure of the resulting error.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,7 +28,7 @@ SceneInCore in_core(const char* scene) {
 
 class JonesPrecision : public testing::TestWithParam<const char*> {};
 
-TEST_P(JonesPrecision, EighteenBitsAreTheTwin) {
+TEST_P(JonesPrecision, EighteenBitsEqualTheTwin) {
   const SceneInCore scene = in_core(GetParam());
   for (int f = 0; f <= 3; ++f) {
     for (const bool truncate : {false, true}) {
@@ -50,8 +50,8 @@ TEST_P(JonesPrecision, EighteenBitsAreTheTwin) {
   }
 }
 
-// With all roundings of the machine the pieces are the machine's; with none they are those of 36 bits.
-TEST_P(JonesPrecision, MixedWordsAreThoseOfTheirRoundings) {
+// With all roundings of the machine the pieces equal the machine's; with none they equal those of 36 bits.
+TEST_P(JonesPrecision, MixedWordsEqualThoseOfTheirRoundings) {
   const SceneInCore scene = in_core(GetParam());
   const auto expect_same = [](const PreciseView& a, const PreciseView& b) {
     ASSERT_EQ(a.pieces.size(), b.pieces.size());
@@ -76,8 +76,8 @@ TEST_P(JonesPrecision, MixedWordsAreThoseOfTheirRoundings) {
   }
 }
 
-// The two widths of integers behind the words must not show.
-TEST_P(JonesPrecision, LongAndShortWordsCalculateAlike) {
+// The result must not depend on the width of the integers behind the words.
+TEST_P(JonesPrecision, LongAndShortWordsGiveTheSame) {
   const SceneInCore scene = in_core(GetParam());
   const Parameters parameters = default_parameters(scene.core, 0);
   for (const int bits : {12, 14, 18, 19, 24, 30}) {
@@ -107,9 +107,8 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, JonesPrecision,
                          testing::Values("house", "roberts", "street4", "corridor8", "corridor32"),
                          [](const auto& scene) { return std::string(scene.param); });
 
-// At scale 512 a word needs 12 bits and the fraction to hold the window, and it must hold what is seen: the
-// house and Roberts's solids are within 2047 units of the eye, and so are the rooms of the corridor that are
-// looked into; the street is 2980 units long.
+// At scale 512 a word needs 12 bits plus the fraction to hold the window, and it must hold the visible coordinates: the house and
+// Roberts's solids are within 2047 units of the eye, and so are the visible rooms of the corridor; the street is 2980 units long.
 TEST(JonesPrecisionStudy, FirstWordLengthOfEachScene) {
   EXPECT_EQ(study_of(six_views[0]).shortest_complete_word(0, false), 12);
   EXPECT_EQ(study_of(six_views[0]).shortest_complete_word(1, true), 13);
@@ -139,8 +138,8 @@ TEST(JonesPrecisionStudy, EachFractionBitHalvesTheErrorOfAnyWordLength) {
   }
 }
 
-// The oracle and the program share no code: here they say the same to the last digits.
-TEST(JonesPrecisionStudy, FloatingPointIsExactBeyondWhatCanBeSeen) {
+// The oracle and the program share no code; here they agree to the last digits.
+TEST(JonesPrecisionStudy, FloatingPointIsExactBeyondTheVisibleResolution) {
   for (const SixViews& views : six_views) {
     const PrecisionStudy study = study_of(views);
     const Measured as_double = study.measure({NumberKind::double_float, 0, 0, false});
@@ -148,13 +147,14 @@ TEST(JonesPrecisionStudy, FloatingPointIsExactBeyondWhatCanBeSeen) {
     EXPECT_LT(as_double.clipped.longest, 1e-10) << views.scene;
     EXPECT_LT(as_float.clipped.longest, 1e-3) << views.scene;
     EXPECT_GT(as_float.clipped.longest, as_double.clipped.longest) << views.scene;
-    EXPECT_GT(as_double.clipped.visible, 10000) << "there is something to see";
+    EXPECT_GT(as_double.clipped.visible, 10000) << "something is visible";
     EXPECT_GT(as_double.muldivs, 1000U);
   }
 }
 
-// A line along x at y = 100, z = 100 seen from the origin at scale 512: y = 1024 on the screen, out of the
-// window; at z = 200 and y = 50 it is at 512 + 128.
+// A line along x at y = 100, z = 100 seen from the origin at scale 512: y = 1024 on the screen, outside the window; at z = 200
+// and
+// y = 50 it is at 512 + 128.
 class JonesLineError : public testing::Test {
  protected:
   const SceneLine line{0, {0, 50, 200}, {100, 50, 200}};
@@ -171,7 +171,7 @@ class JonesLineError : public testing::Test {
   }
 };
 
-TEST_F(JonesLineError, NothingIsWrongWithThePiecesOfALine) {
+TEST_F(JonesLineError, ThePiecesOfALineHaveNoError) {
   const LineError error = error_of({drawn(600, 512, 641), drawn(600, 640), drawn(550, 610)});
   EXPECT_DOUBLE_EQ(error.visible, 128);
   EXPECT_DOUBLE_EQ(error.missing, 0);
@@ -179,7 +179,7 @@ TEST_F(JonesLineError, NothingIsWrongWithThePiecesOfALine) {
   EXPECT_TRUE(error.wrong.empty());
 }
 
-TEST_F(JonesLineError, MissingAndExtraAreToldApart) {
+TEST_F(JonesLineError, MissingAndExtraAreDistinguished) {
   const LineError error = error_of({drawn(542, 650)});
   EXPECT_DOUBLE_EQ(error.missing, 30);
   EXPECT_DOUBLE_EQ(error.extra, 10);

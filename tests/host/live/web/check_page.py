@@ -29,14 +29,14 @@ page, sightline = "file://" + os.path.abspath(sys.argv[1]), os.path.abspath(sys.
 shots = sys.argv[3] if len(sys.argv) > 3 else None
 
 options = Options()
-# While a page still scrolls smoothly, Chromium now and then loses the next key that scrolls.
+# While a page still scrolls smoothly, Chromium sometimes loses the next scrolling key.
 for word in ["--headless=new", "--disable-smooth-scrolling", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
              "--ignore-gpu-blocklist", "--disable-dev-shm-usage", "--window-size=1280,1000"]:
     options.add_argument(word)
 options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
 driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
 driver.set_page_load_timeout(60)
-driver.set_script_timeout(180)  # a lesson is played in one piece
+driver.set_script_timeout(180)  # a lesson is played completely
 
 failures = []
 checks = 0
@@ -122,7 +122,7 @@ def named(where):
     check(not nameless, f"{where}: controls without a name: {nameless[:3]}")
 
 
-# --- The PDP-7 room: opened without a place, walked through by keys.
+# --- The PDP-7 room: opened without a position, walked through by keys.
 go("")
 began = int(js("return document.documentElement.dataset.ready"))
 check(began < 3000, f"the page begins after {began} ms")
@@ -144,7 +144,7 @@ seen = js("""sightline.tab.tube.develop(); const c = sightline.tab.canvas; const
   for (let i = 0; i < d.length; i += 4) if (d[i + 1] > 120) ++n; return n;""")
 check(seen > 300, f"the tube shows something: {seen} bright points")
 def picture_saved():
-    # Name, size, and how many of its points are lit.
+    # Name, size, and number of lit points.
     return driver.execute_async_script("""const done = arguments[0], {click} = HTMLAnchorElement.prototype;
       HTMLAnchorElement.prototype.click = async function() {
         HTMLAnchorElement.prototype.click = click;
@@ -165,7 +165,7 @@ check(saved["lit"] > 300, f"and shows what the tube shows: {saved['lit']} bright
 frames = js("""return new Promise(done => { let n = 0; const end = performance.now() + 2000;
   const count = () => { ++n; performance.now() < end ? requestAnimationFrame(count) : done(n / 2); }; count(); })""")
 print(f"first room after {began} ms, {frames:.0f} frames a second")
-check(frames >= 5, f"{frames} frames a second")  # a slow day of a shared computer; the figure is in MEASURED.md
+check(frames >= 5, f"{frames} frames a second")  # on a busy shared computer; the figure is in MEASURED.md
 fits("the PDP-7 room")
 console_is_clean("the PDP-7 room")
 
@@ -216,7 +216,7 @@ for scene in ["roberts", "street4", "corridor8", "corridor32"]:
         ActionChains(driver).key_down(key).perform()
         wait(lambda: js("return [...sightline.tab.where()]") != place, f"{scene}: a key moves the eye", 20)
         ActionChains(driver).key_up(key).perform()
-# Back to the start; the keys on the pad; the lamp of a machine that rests; a pair in red and cyan is a pair.
+# Back to the start; the keys on the pad; the lamp of a stopped machine; a pair in red and cyan is a pair.
 go("jones/house")
 wait(lambda: js("return sightline.tab.view && sightline.tab.view.views >= 1"), "a view of the house")
 place = js("return [...sightline.tab.where()]")
@@ -272,7 +272,7 @@ with tempfile.TemporaryDirectory() as folder:
 wait(lambda: "in the reader" in said(), "a tape is dropped: " + said())
 press("READ IN")
 wait(lambda: "halt" in said(), "READ IN loads it, and it runs to its halt: " + said())
-# A solid turns; held still, its flashes lie on the exact lines of its angle.
+# A solid turns; when it is stopped, its flashes are on the exact lines of its angle.
 go("jones/turn star.off?exact=1")
 wait(lambda: js("return sightline.tab.turning.moves"), "the solid turns")
 check(js("return sightline.tab.turning.made.step") > 100, "at a speed of its own")
@@ -325,7 +325,7 @@ def switches():
     return js("return sightline.tab.options.switches")
 
 
-# square.s draws 4 sides of 254 points and one diagonal once, from 385, 385: places 102 to 166, more than 300 of them.
+# square.s draws 4 sides of 254 points and one diagonal once, from 385, 385: blocks 102 to 166, more than 300 of them.
 SQUARE = (101, 167)
 for kind in ["few points", "shaders", "plain"]:
     def enter(place):
@@ -358,8 +358,10 @@ for kind in ["few points", "shaders", "plain"]:
     check(js(PICTURE + "return picture().every((v, i) => v === before[i]) && bright(0, 267)[0] > 200"), f"{kind}: what is paused stays as it is")
     press("Run")
     wait(lambda: js(PICTURE + "return picture().some((v, i) => v !== before[i])"), f"{kind}: and goes on", 30)
-    # Ten times a row of 256 points in a hundredth of a second, and then the dark: of P7, which gives half of its light in 1.4 s, something is left.
-    # Fifteen times the time constant of a twentieth leave one part in a million, without the yellow layer it is the eye's.
+    # Ten times a row of 256 points in a hundredth of a second, then darkness: of P7, which gives half of its light in 1.4 s, some
+    # light remains.
+    # Fifteen time constants of a twentieth of a second leave one part in a million; without the yellow layer only the eye's
+    # persistence is left.
     press("Pause")
     for glow, left in [("p7", True), ("short", False), ("off", False)]:
         choose("Afterglow", glow)
@@ -400,7 +402,7 @@ check(all(word in js("return sightline.tab.facts.textContent") for word in ["pie
 js("sightline.tab.exact.box.click(); sightline.tab.exact.box.click()")
 check("when the machine has run for a moment" in js("sightline.tab.showState(); return sightline.tab.facts.textContent") and js("return sightline.tab.missing") is None, "nothing is called missing that was drawn before the lines were asked for")
 
-# --- Keys: what has the focus does not keep those that walk.
+# --- Keys: the focused element does not take the walking keys.
 go("jones/house")
 wait(lambda: js("return sightline.tab.view && sightline.tab.view.views >= 1"), "a view to walk from")
 unfold()
@@ -562,8 +564,9 @@ check(js("return sightline.tab.player && sightline.tab.player.length > 5"), "a s
 fits("the theatre")
 console_is_clean("the theatre")
 
-# --- Each room begins with what it is and one thing to try, in one line or two; the screen, with its frame, keeps a distance from everything; what
-# belongs together is in one window.
+# --- Each room begins with its description and one suggestion, in one or two lines; the framed screen keeps a margin on all
+# sides; related
+# controls are in one window.
 SIZES_JS = """
 const box = e => e.getBoundingClientRect(), shown = e => e && e.getClientRects().length > 0;
 const inside = e => { const b = box(e); return shown(e) && b.top >= 0 && b.left >= 0 && b.right <= innerWidth && b.bottom <= innerHeight; };
@@ -666,7 +669,7 @@ def in_window(selectors):
       return !b || !b.height || b.top < 0 || b.bottom > innerHeight + 1 || b.right > innerWidth + 1; });""", selectors)
 
 
-# Opened fresh on a file that has to be opened again, with what that says above the player.
+# Opened newly with a file that must be opened again; the message is above the player.
 for width, height in [(1280, 800), (1024, 700), (390, 844)]:
     resize(width, height)
     go("theatre/jones/gem.off?file=1")
@@ -677,7 +680,7 @@ driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
 go("theatre")
 check("#theatre/jones/house" in driver.current_url, "the theatre opens on Jones's house: " + driver.current_url)
 check(js("return document.querySelector('.player h1').textContent").startswith("Jones"), "with Jones's lesson")
-# Nothing has been clicked.
+# Without any click.
 type_key(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT)
 check(step() == 3, f"Right steps: {step()}")
 type_key(Keys.ARROW_LEFT)
@@ -694,7 +697,7 @@ check(not js("return [...document.querySelectorAll('.player button')].some(b => 
 type_key(Keys.HOME)
 ActionChains(driver).key_down(Keys.CONTROL).send_keys(Keys.ARROW_RIGHT).key_up(Keys.CONTROL).perform()
 check(step() == 1, "Ctrl with Right is the browser's")
-# The slider's own keys step once; a list gives the focus back; fields keep their keys.
+# The slider's own keys step once; a list returns the focus; input fields keep their keys.
 js("document.querySelector('.player input[type=range]').focus()")
 type_key(Keys.ARROW_RIGHT)
 check(step() == 2, f"Right on the slider steps once: {step()}")
@@ -707,7 +710,7 @@ check(step() == 3, f"after choosing the pace, too: {step()}")
 js("document.querySelector('.theatre select').focus()")
 type_key(Keys.ARROW_LEFT)
 check(step() in (1, 3), "a list that has the focus keeps its keys")
-# In another room the keys are that room's, and the lesson rests.
+# In another room the keys belong to that room, and the lesson pauses.
 go("theatre/jones/house")
 type_key(Keys.SPACE)
 js("globalThis.theatre = sightline.tab; location.hash = '#about'")
@@ -716,14 +719,14 @@ left = js("return globalThis.theatre.player.step")
 type_key(Keys.ARROW_RIGHT)
 time.sleep(0.8)
 check(js("return globalThis.theatre.player.step") == left, "keys in another room leave the lesson alone, and it rests")
-# The keys of steps stop the play.
+# The step keys stop the playback.
 for key in [Keys.ARROW_RIGHT, Keys.ARROW_LEFT, Keys.HOME, Keys.END]:
     go("theatre/jones/house")
     js("sightline.tab.player.show(3)")
     type_key(Keys.SPACE)
     type_key(key)
     check(js("return document.querySelector('.player button[title^=Play]').textContent") == "Play", f"{key!r} stops the play")
-# The address keeps the step; another lesson begins at its own beginning.
+# The address keeps the step; another lesson starts at its own beginning.
 go("theatre/jones/house")
 js("sightline.tab.player.show(6)")
 wait(lambda: driver.current_url.endswith("#theatre/jones/house?step=7"), "the address keeps the step")
@@ -737,7 +740,7 @@ for query, expected, sentence in [("step=x", 1, "step=x is ignored"), ("step=999
     check(step() == expected, f"{query}: step {step()}, expected {expected}")
     noted = js("return [...document.querySelectorAll('.player .note')].map(e => e.textContent).join(' ')")
     check(sentence in noted and bool(sentence) == bool(noted), f"{query}: it says {noted!r}")
-# What the player has drawn: in the plan each cell has its number, and a step names what it is about.
+# The player's drawing: in the plan each cell has its number, and a step names its subject.
 go("theatre/jones/house")
 js("""globalThis.drawn = []; const fill = CanvasRenderingContext2D.prototype.fillText;
   CanvasRenderingContext2D.prototype.fillText = function (text, x, y) { const w = this.measureText(text).width;
@@ -754,7 +757,7 @@ for scene in ["jones/house", "jones/street4", "montani-re/boxes-3", "willis/town
         check(not lying, f"{scene}, step {n + 1}: words on each other: {lying[:3]}")
         for kind, number in re.findall(r"(Portal|Face) (\d+)", drawn["caption"]):
             check(any(number in each["text"].split() for each in words), f"{scene}, step {n + 1}: no number {number} for: {drawn['caption']}")
-# In a small window, too: the legend of Plantinga's chart.
+# Also in a small window: the legend of Plantinga's chart.
 for width, height, query in [(390, 844, ""), (400, 300, "?embed=1")]:
     resize(width, height, not query)
     go("theatre/plantinga/house", query)
@@ -767,7 +770,7 @@ for width, height, query in [(390, 844, ""), (400, 300, "?embed=1")]:
         lying = [(a["text"], b["text"]) for i, a in enumerate(words) for b in words[:i] if a["sheet"] == b["sheet"] and abs(a["y"] - b["y"]) < 0.7 * a["line"] and a["x"] < b["x"] + b["w"] and b["x"] < a["x"] + a["w"]]
         check(not lying and any("viewer at" in each["text"] for each in words), f"{width} by {height}: words on each other: {lying[:3]}")
     shot(f"plantinga-{width}")
-# A projector: one window, and large enough to be read from the last row.
+# A projector: one window, large enough to be read from the last row.
 resize(1920, 1080)
 go("theatre/jones/house")
 js("sightline.tab.player.show(4)")
@@ -775,7 +778,7 @@ check(not in_window([".player h1", ".player .controls", ".player .caption", ".pl
 size = js("return parseFloat(getComputedStyle(document.querySelector('.player .caption')).fontSize)")
 check(size >= 22, f"1920 by 1080: the caption has {size} pixels")
 shot("theatre-projector")
-# Page keys step where there is nothing to scroll, and scroll where there is.
+# Page keys step where there is nothing to scroll, and scroll elsewhere.
 type_key(Keys.HOME, Keys.PAGE_DOWN)
 check(js("return document.documentElement.scrollHeight <= innerHeight + 1") and step() == 2, f"Page Down steps in one window: {step()}")
 resize(1000, 420)
@@ -816,7 +819,7 @@ check(js("return document.querySelector('header').offsetHeight") == 0, "another 
 resize(1280, 800)
 go("theatre/jones/house", "?embed=1&from=3&to=12")
 check(not in_window([".player h1", ".player .controls", ".player .caption", ".player figure:last-child", ".player .legend"]), "a larger frame has the title and the legend, too")
-# The pages that `explain` writes: the same player.
+# The pages that `explain` writes use the same player.
 with tempfile.TemporaryDirectory() as folder:
     for algorithm in ["jones", "plantinga"]:
         subprocess.run([sightline, "explain", algorithm, "house", "-o", algorithm + ".html"], cwd=folder, check=True, capture_output=True)
@@ -846,7 +849,7 @@ with tempfile.TemporaryDirectory() as folder:
         type_key(Keys.ARROW_LEFT)
         check(place() == "3 (3 to 12 of " + str(length) + ")", f"explain in a frame, {query}: {place()}")
         check(js("return document.documentElement.scrollHeight <= innerHeight"), "nothing to scroll in the frame of explain")
-    # As a teacher's page has it.
+    # As in a teacher's page.
     with open(os.path.join(folder, "lecture.html"), "w") as file:
         file.write('<!doctype html><h1>Lecture</h1><iframe src="jones.html?embed=1&from=3&to=12" width="400" height="300" title="Jones"></iframe>')
     resize(1280, 800)
@@ -857,7 +860,8 @@ with tempfile.TemporaryDirectory() as folder:
 driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
 console_is_clean("lessons")
 
-# --- Files of every kind into every room: taken, offered to the rooms that can take them, or refused in words; the room goes on.
+# --- Files of every kind in every room: accepted, offered to rooms that accept them, or rejected with a message; the room
+# continues.
 def folder_of_examples(name):
     with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../../../host/examples", name), "rb") as file:
         return file.read()
@@ -911,7 +915,7 @@ TURN, STRIPES, EXPLAIN = "Turn it on the PDP-7", "Draw it in stripes on the 8080
 WALK, SKALA, BENCH = "Walk through it with Jones's program on the PDP-7", "Draw it with Skala's program on the 8080", "Open it in the workbench"
 READER, LOAD, SHOW = "Put it into the PDP-7's reader", "Load it in the workbench", "Show it in the theatre"
 taken = None
-# By the room: its offers; none of them: refused; `taken`: it shows the file.
+# For each room its offers; none: rejected; `taken`: it shows the file.
 in_rooms = [
     *[(f"mesh.{form}", content, {"jones": [TURN, STRIPES, EXPLAIN], "skala": taken, "bench": [TURN, STRIPES, EXPLAIN], "theatre": taken, "about": [TURN, STRIPES, EXPLAIN]})
       for form, content in mesh.items()],
@@ -965,7 +969,8 @@ for place in ["jones/turn cube.off", "skala/sinc", "bench/square.s", "theatre/ex
         js("sightline.tab.player.show(3)")
     console_is_clean(f"files in {room}")
 
-# A mesh that is too large has the same sentence in every room, with the command that draws it. Where a room cannot show a mesh, the sentence says why.
+# A mesh that is too large gives the same sentence in every room, with the command that draws it. Where a room cannot show a mesh,
+# the sentence says why.
 for place in ["jones/house", "skala/sinc", "bench/square.s", "theatre/exact/boxes-2", "about"]:
     go(place)
     for name, content, faces in [("240 faces.off", some, 240), ("1200 faces.off", many, 1200), ("it's.off", huge, 2400)]:
@@ -981,7 +986,7 @@ def prism(corners):
 
 
 def hills(squares):
-    # Two triangles for each square of a field that is nowhere flat, all of them turned to an eye above it.
+    # Two triangles for each square of a field that is nowhere flat, all facing an eye above it.
     at = lambda x, y: x * (squares + 1) + y
     points = [(100 * x, x * x + 2 * y * y, 100 * y) for x in range(squares + 1) for y in range(squares + 1)]
     halves = [[[at(x, y), at(x, y + 1), at(x + 1, y + 1)], [at(x, y), at(x + 1, y + 1), at(x + 1, y)]] for x in range(squares) for y in range(squares)]
@@ -997,7 +1002,7 @@ for name, content, there, words in [("prism.off", prism(180), [STRIPES, EXPLAIN]
     opened(name, content)
     check(offered() == there and all(word in notice() for word in words), f"why {name} is not offered to some rooms: {notice()}, {offered()}")
 
-# What is wrong with a mesh is mended, and said in one line: a cube one of whose faces is turned inside out, and one of whose corners is there twice.
+# Errors of a mesh are mended and reported in one line: a cube with one face turned inside out and one corner duplicated.
 cube = ["OFF", "9 6 0", *(f"{x} {y} {z}" for z in (0, 0.5) for x, y in [(0, 0), (1, 0), (1, 1), (0, 1)]), "0 0 0",
         "4 0 3 2 1", "4 4 7 6 5", "4 8 1 5 4", "4 1 2 6 5", "4 2 3 7 6", "4 3 0 4 7"]
 damaged = "\n".join(cube).encode()
@@ -1040,7 +1045,7 @@ for name in ["cube.off", "a b%25?#&ä.off"]:
     there = js("return location.hash.slice(1)")
     go(there)
     check(f"{own} was a file of your computer: open it again." in notice(), f"the link to {name} says so: {notice()}")
-# Several at once: an OBJ with its materials.
+# Several files at once: an OBJ with its materials.
 go("theatre/exact/boxes-2")
 js("""const dropped = new DataTransfer(); for (const [name, text] of [['b.obj', arguments[0]], ['b.mtl', 'newmtl red']]) dropped.items.add(new File([text], name));
   document.body.dispatchEvent(new DragEvent('drop', {dataTransfer: dropped, bubbles: true, cancelable: true}));""", folder_of_examples("bracket.obj").decode())
@@ -1049,7 +1054,7 @@ check(js("""const dropped = new DataTransfer(); dropped.items.add(new File(['x']
   return ['dragover', 'drop'].every(kind => !document.documentElement.dispatchEvent(new DragEvent(kind, {dataTransfer: dropped, bubbles: true, cancelable: true})))"""), "the browser does not open what is dropped beside the room")
 console_is_clean("files")
 
-# --- A snapshot or a tape brings its own program: nothing of the one that was chosen before is said of it.
+# --- A snapshot or a tape contains its own program: nothing about the program chosen before remains visible.
 def intro():
     return js("return document.querySelector('.intro').textContent")
 
@@ -1105,7 +1110,7 @@ check(program() == ["turn star.off"] * 2 and js("return sightline.tab.turns") an
 choose("Program", "house")
 open_saved("turn star.off.snap", "turn cube.off.snap")
 check(program() == ["house"] * 2 and wrong() and "tape" in said(), f"but not by a wrong one: {program()} {said()}")
-# A tape is not in a snapshot: it is taken from the page.
+# A snapshot does not contain its tape: the page provides it.
 choose("Program", "turning.s")
 drop("main", "square.rim", tape)
 wait(lambda: "in the reader" in said(), "a tape in the reader: " + said())
@@ -1122,7 +1127,7 @@ with tempfile.TemporaryDirectory() as folder:
 go("jones/house")
 opened("t.snap", content)
 check(program() == ["house"] * 2 and wrong() and "Open the tape first" in said(), f"without the tape it says what to do: {said()}")
-# Of the command, with and without options.
+# From the command, with and without options.
 with tempfile.TemporaryDirectory() as folder:
     here = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../../../host/examples")
     subprocess.run([sightline, "asm", "pdp7", os.path.join(here, "pdp7/refresh.s"), "-o", "refresh.rim"], cwd=folder, check=True, capture_output=True)
@@ -1242,7 +1247,7 @@ names = js("return [...sightline.tab.shelf.select.options].map(o => o.value)")
 check(len(names) == len(set(names)) and {"jones.s", "turn.s"} <= set(names), f"each example has a name of its own: {names}")
 console_is_clean("snapshots, tapes, warnings, CP/M")
 
-# --- Links with unknown parts: a sentence that names the part; the usual thing of the room in a fresh page, the room as it was in an open one.
+# --- Links with unknown parts: a sentence names the part; a new page shows the room's default, an open page is unchanged.
 bad_links = [
     ("nowhere", '"nowhere"', "jones"), ("constructor/x", '"constructor"', "jones"), ("jones/%E0%A4%A", "%E0%A4%A", "jones"), ("skala/%zz?f=x", "%zz", "jones"),
     ("jones/palace", '"palace"', "jones"), ("jones/turn palace.off", '"turn palace.off"', "jones"), ("jones/house?scale=99999", "scale=99999", "jones"),
@@ -1287,7 +1292,7 @@ for place in [*places, "jones/turn star.off?switches=400&eae=0&exact=1", "jones/
 check(js("return sightline.tab.options.program") == "flight", "a flight by its link")
 console_is_clean("links")
 
-# --- Bad days: no WebGL, a lost context, rubbish.
+# --- Failures: no WebGL, a lost context, invalid data.
 go("jones/house", "?plain")
 time.sleep(1)
 check("WebGL2" in said(), "without WebGL2 it says so")
@@ -1299,7 +1304,7 @@ drop("main", "rubbish.rim", bytes(i * 7 % 256 for i in range(300)))
 wait(lambda: "in the reader" in said(), "a tape of any content can be read by a program: " + said())
 press("READ IN")
 check(said() != "", "a tape of rubbish is refused in words: " + said())
-driver.get_log("browser")  # a lost context is told there, too
+driver.get_log("browser")  # a lost context is reported there, too
 
 # --- The tube, compared with the photograph that the command makes of the same strokes.
 for query in ["?frames=150", "?coarse&frames=150"]:

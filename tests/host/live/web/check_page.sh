@@ -1,7 +1,8 @@
 #!/bin/sh
-# The page of live machines in headless Chromium (check_page.py). Says so and ends well where Chromium, its driver or Selenium are not installed.
+# Tests the page of live machines in headless Chromium (check_page.py). Succeeds with a message where Chromium, its driver or
+# Selenium are not installed.
 #
-#   check_page.sh [PAGE.html SIGHTLINE [FOLDER]]    without a page: that of build/release
+#   check_page.sh [PAGE.html SIGHTLINE [FOLDER]]    default: the page of build/release
 set -eu
 
 root=$(cd "$(dirname "$0")/../../../.." && pwd)
@@ -13,5 +14,5 @@ done
 /usr/bin/python3 -c 'import selenium' 2>/dev/null || { echo "check page: skipped, python3-selenium is not installed"; exit 0; }
 [ -f "$page" ] || { echo "check page: skipped, the page was not built: clang 14 and wasi-libc are not installed"; exit 0; }
 run() { timeout 1200 /usr/bin/python3 "$root/tests/host/live/web/check_page.py" "$page" "$sightline" ${3:+"$3"}; }
-# A browser that was starved of time gets a second chance; a fault of the page fails twice.
+# A browser that got too little processor time is tried again; an error of the page fails twice.
 run "$@" || { echo "check page: failed, tried again"; run "$@"; }

@@ -1,5 +1,6 @@
-// The page's expressions compared with muParser's, which the command uses: both take a text or both refuse it, and the program on the
-// 8080 takes the same T-states over the picture of it, which the least difference of a height changes.
+// The page's expressions compared with muParser's, which the command uses: both accept or both reject a text, and the program on
+// the 8080
+// takes the same T-states for its picture, which depend on the smallest difference of a height.
 //
 //   node expression_test.mjs MODULE.wasm MODULE.js EXPRESSION.js SIGHTLINE
 
@@ -35,7 +36,7 @@ for (const text of texts) {
     fail(`"${text}": ${answer.with} T-states, the command's ${JSON.parse(run.stdout).t_states}`);
   }
 }
-// By hand: what both could have wrong alike.
+// By hand: cases in which both could have the same error.
 for (const [text, x, z, expected] of [['2^3^2', 0, 0, 512], ['-2^2', 0, 0, -4], ['7-4-2', 0, 0, 1], ['16/4/2', 0, 0, 2], ['1+2*3', 0, 0, 7], ['x>z?1:2', 1, 0, 1], ['x>z?1:2', 0, 1, 2], ['min(3,1,2)', 0, 0, 1]]) {
   const found = expression(text)(x, z);
   if (found !== expected) fail(`${text}: found ${found}, expected ${expected}`);

@@ -1,10 +1,12 @@
-// The module of the page in Node, compared with the command, which is compiled by another compiler for another machine:
-// whole machines by their snapshots, byte for byte, with every stroke and its time; flights by their frames and a picture; lessons by their
-// JSON; hostile requests by an answer. views.mjs compares all scenes in a hundred views.
+// The module of the page in Node, compared with the command, which another compiler has compiled for another machine: whole
+// machines by
+// their snapshots, byte for byte, with every stroke and its time; flights by their frames and a picture; lessons by their JSON;
+// hostile
+// requests by their answers. views.mjs compares all scenes in a hundred views.
 //
 //   node module_test.mjs MODULE.wasm MODULE.js SIGHTLINE
 //
-// SIGHTLINE_VIEWS=100 in the environment compares so many views of each scene; 3 by default.
+// SIGHTLINE_VIEWS=100 in the environment sets the number of views per scene; 3 by default.
 
 import {execFileSync} from 'node:child_process';
 import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
@@ -37,7 +39,7 @@ const file = name => { ask({do: 'file', name}); return module.made(); };
 const native = (...words) => execFileSync(sightline, words, {maxBuffer: 1 << 28, cwd: folder});
 const same = (a, b) => a.length === b.length && Buffer.compare(Buffer.from(a), Buffer.from(b)) === 0;
 
-// A small generator of numbers, the same in every run.
+// A small random number generator, the same in every run.
 let seed = 12345;
 const dice = n => { seed = (Math.imul(seed, 1103515245) + 12345) >>> 0; return Math.floor(seed / 2 ** 32 * n); };
 
@@ -56,7 +58,7 @@ function comparePdp7(what, made, core, start, milliseconds, options) {
     '--max-time', String(milliseconds / 1000), '--strokes', 'strokes', '--save', 'native.snap', '--json');
   const expected = readFileSync(join(folder, 'strokes'), 'latin1').split('\n').filter(line => line && line[0] !== '#')
     .map(line => line.split(/[\s,]+/).filter(Boolean).slice(0, 4).join(' ')).join('\n');
-  // A view of Jones's that is not complete by then shows nothing.
+  // A view of Jones's program that is not complete by then shows nothing.
   allStrokes += expected.length;
   check(expected === strokes.trimEnd(), `${what}: the strokes and their times`);
   ask({do: 'save', id: made.id});
@@ -71,7 +73,8 @@ for (const scene of ['house', 'roberts', 'street4', 'corridor8', 'corridor32']) 
   for (let view = 0; view < views; ++view) compareJones(scene, view % 2 === 0, view === 0 ? 0 : dice(256) << 10 | dice(4));
 }
 
-// --- A snapshot of the command goes on in a machine of its own configuration: what is saved again has the same bytes, and the same bytes later.
+// --- A snapshot of the command continues in a machine with its configuration: saved again it has the same bytes, immediately and
+// later.
 writeFileSync(join(folder, 'bare.oct'), '00100: 060110 600100\n');
 writeFileSync(join(folder, 'bare.hex'), ':03010000C3000138\n:00000001FF\n');
 for (const [machine, program, ...words] of [['pdp7', 'bare.oct'], ['pdp7', 'bare.oct', '--display', '--no-eae', '--memory', '32k', '--display-option', '342'], ['pdp7', 'bare.oct', '--timing', 'reader_line=5000000'],
@@ -88,8 +91,9 @@ for (const [machine, program, ...words] of [['pdp7', 'bare.oct'], ['pdp7', 'bare
   ask({do: 'drop', id});
 }
 
-// --- The exact lines over the picture of Jones's program: by blocks of 4 by 4 points, as the page counts them, every line is lit and nothing
-// beside the lines is. The guest's pieces end within a point or two of the true ones, less than a block.
+// --- The exact lines over the picture of Jones's program, in blocks of 4 by 4 points, as the page counts them: every line is
+// lit, and nothing
+// outside the lines is. The guest's pieces end within a point or two of the exact ones, less than a block.
 const spread = (x, y, visit) => {
   for (let dy = -1; dy <= 1; ++dy) for (let dx = -1; dx <= 1; ++dx) visit(256 * ((y >> 2) + dy) + (x >> 2) + dx);
 };
@@ -124,7 +128,7 @@ for (const scene of ['house', 'roberts', 'street4', 'corridor8', 'corridor32']) 
 }
 check(module.ask({do: 'sight', scene: 'house', eye: [480, 160, -20]}).error?.length > 20, 'no exact lines from outside all cells');
 
-// --- Solids that turn: at speeds in both directions, as wire frames, and from event to event.
+// --- Turning solids: at speeds in both directions, as wire frames, and from event to event.
 const solids = fileURLToPath(new URL('../../../../host/examples/turn/', import.meta.url));
 const onPage = ['cube.off', 'block.off', 'lshape.json', 'crossed.off', 'star.off'];
 for (const name of onPage) module.putFile(name, readFileSync(join(solids, name)));
@@ -142,7 +146,7 @@ for (const [n, scene] of [...onPage, 'roberts', 'boxes-8', 'boxes-20'].entries()
 
 check(allStrokes > 100000, 'strokes were compared');
 
-// --- What a file is: by its content, under a name that says nothing.
+// --- The kind of a file is recognised by its content, under a meaningless name.
 const examples = fileURLToPath(new URL('../../../../host/examples/', import.meta.url));
 for (const [name, kind, machine] of [['turn/cube.off', 'scene'], ['turn/lshape.json', 'scene'], ['bracket.obj', 'scene'], ['rooms.json', 'scene'], ['crater.csv', 'grid'], ['hills.csv', 'grid'],
   ['square.s', 'source', 'pdp7'], ['pdp7/turning.s', 'source', 'pdp7'], ['hello.asm', 'source', 'i8080'], ['boards/ef9365.asm', 'source', 'i8080']]) {
@@ -225,7 +229,7 @@ for (const [n, scene] of ['town-9', 'prisms-9', 'town-20'].entries()) {
   let told = [], differing = -1, at = 0;
   for (let more = true; more;) {
     const last = told[still] ? (Number(told[still].split(',')[1]) + 36) * 3000 : 0;
-    const looks = differing < 0 && last && at + 20000 >= last;  // the display has scanned it, and begins no other
+    const looks = differing < 0 && last && at + 20000 >= last;  // the display has scanned it, and starts no other
     more = module.fly(at = looks ? last : at + 20000);
     const {frame, frames: count} = ask({do: 'flight_state'});
     if (count > told.length) told.push([count - 1, frame.shown_ms, frame.t_states, frame.waiting, frame.moved, frame.exchanges, frame.facing, frame.wrong_orders, frame.wrong_points].join(','));
@@ -256,7 +260,7 @@ for (const lesson of ask({do: 'lists'}).lessons) {
   }
 }
 
-// --- Algorithms agree here as they do in the command.
+// --- Algorithms give the same result here and in the command.
 for (const scene of ['house', 'roberts', 'boxes-12', 'bricks-4', 'rooms-2']) {
   const exact = ask({do: 'draw', algorithm: 'exact', scene});
   check(exact.pieces.length > 0, `${scene}: something is seen`);
@@ -267,7 +271,7 @@ for (const scene of ['house', 'roberts', 'boxes-12', 'bricks-4', 'rooms-2']) {
   }
 }
 
-// --- The debugger: forward and back is where one was.
+// --- The debugger: after a step forward and one back the machine is in the same state.
 {
   const made = ask({do: 'jones', scene: 'house'});
   module.run(made.id, 3e8);
@@ -283,13 +287,13 @@ for (const scene of ['house', 'roberts', 'boxes-12', 'bricks-4', 'rooms-2']) {
   check(module.get(made.id, 0) === made.labels.search, 'and is there');
 }
 
-// --- An assembler's errors have their places.
+// --- An assembler's errors have positions.
 {
   const made = ask({do: 'assemble', machine: 'i8080', sources: [{name: 'a.asm', text: '\tORG 100H\n\tMVI A\n\tEND\n'}]});
   check(made.right === false && made.diagnostics[0]?.line === 2, 'an error with its line');
 }
 
-// --- Whatever is asked is answered.
+// --- Every request is answered.
 const bad = ['', '{', '[]', '5', 'null', '{"do":5}', '{"do":"make"}', '{"do":"make","machine":"pdp7","options":{"--load":["no"]}}', '{"do":"state","id":99}',
   '{"do":"jones","scene":"boxes-3"}', '{"do":"jones","scene":"nothing"}', '{"do":"draw","scene":"house","algorithm":"x"}',
   '{"do":"draw","scene":"house","algorithm":"exact","camera":{"eye":[1,2]}}', '{"do":"draw","scene":"house","algorithm":"exact","camera":{"forward":[0,0,0]}}',

@@ -1,4 +1,4 @@
-// Requests of all kinds with values of all kinds, from a seed: each has an answer, and the module lives.
+// Requests of all kinds with values of all kinds, from a seed: each must be answered, and the module must keep working.
 //
 //   node request_fuzz.mjs MODULE.wasm MODULE.js [COUNT [SEED]]
 

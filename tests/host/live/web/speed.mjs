@@ -1,9 +1,11 @@
-// How fast the machines run in the module, in Node, beside the command in turn. By hand:
+// The speed of the machines in the module, in Node, measured in turn with the command. Run by hand:
 //
 //   node speed.mjs MODULE.wasm MODULE.js SIGHTLINE [SECONDS]
 //
-// The programs are those of tests/bench: a PDP-7's loop with the display idle, the same while 200 vectors are refreshed, each flash handed
-// over as the page takes it, and an 8080's mix. Times are of the processor, so that other work on the computer counts little.
+// The programs are those of tests/bench: a PDP-7's loop with an idle display, the same while 200 vectors are refreshed and each
+// flash is
+// passed on as the page receives it, and an 8080's mix. Times are processor times, so that other work on the computer has little
+// effect.
 
 import {spawnSync} from 'node:child_process';
 import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
@@ -20,7 +22,7 @@ process.on('exit', () => rmSync(folder, {recursive: true, force: true}));
 const octal = blocks => Object.entries(blocks).map(([at, words]) => `${Number(at).toString(8)}:\n${words.map(w => w.toString(8).padStart(6, '0')).join(' ')}\n`).join('');
 // LAC, TAD, DAC, ISZ, JMP; the second JMP is for the one ISZ in 2^18 that skips.
 const loop = {0o100: [0o200110, 0o340111, 0o040110, 0o440112, 0o600100, 0o600100, 0o740040, 0o740040, 0, 3, 0]};
-// 100 lines, each placed by two point words and drawn by two vectors of 60 steps; the interrupt starts the display again.
+// 100 lines, each placed by two point words and drawn by two vectors of 60 steps; the interrupt restarts the display.
 const picture = [];
 for (let line = 0; line < 100; ++line) picture.push(0o020117, 0o220000 | 100 + line * 8, 0o100000 | 200, 0o200000 | 0o74 << 8 | 0o44, 0o600000 | 0o44 << 8 | 0o74);
 picture.push(0o003000);
@@ -49,14 +51,14 @@ for (const each of machines) {
     const before = [module.instructions(made.id), module.ticks(made.id)];
     let spent = 0;
     while ((spent = process.cpuUsage(begun).user / 1e6) < host) {
-      for (let n = 0; n < 30; ++n) {  // to ask for the time takes some
+      for (let n = 0; n < 30; ++n) {  // reading the clock takes some time
         module.run(made.id, module.ticks(made.id) + slice);
         flashes += module.flashes(made.id).count;
       }
     }
     return {instructions: (module.instructions(made.id) - before[0]) / spent, ticks: (module.ticks(made.id) - before[1]) / spent, emulated: module.ticks(made.id) - before[1]};
   };
-  run(0.5);  // until the engine has compiled it well
+  run(0.5);  // until the engine has optimised it
   flashes = 0;
   const here = run(Number(seconds));
   const limit = each.machine === 'pdp7' ? ['--max-time', String(Math.round(here.emulated / 1e6) / 1e3)] : ['--max-states', String(Math.round(here.emulated))];

@@ -1,9 +1,12 @@
-// What the page shows, by a native build of what is in its module (host/live/web): views.mjs asks this program and the module the same and compares
-// all that comes of it.
+// The page's output by a native build of the sources in its module (host/live/web): views.mjs sends this program and the module
+// the same
+// requests and compares all results.
 //
-// A line of standard input is {"put": NAME, "text": TEXT}, a file of the page, or a view: {"request": {...}, "until": T}, a machine to be made and the time
-// of its unit to which it runs; a flight is flown to its end. Each view is answered by a line: the answer to the request, then what the machine has
-// done and hashes of what it shows.
+// A line of standard input is {"put": NAME, "text": TEXT}, a file of the page, or a view: {"request": {...}, "until": T}, a
+// machine to make
+// and the time, in its unit, up to which it runs; a flight runs to its end. Each view is answered by one line: the answer to the
+// request,
+// then the machine's counts and hashes of what it shows.
 #include <cstdint>
 #include <cstring>
 #include <iostream>
@@ -21,7 +24,7 @@ using sightline::base::Json;
 using sightline::live::web::MachineSession;
 using sightline::live::web::PageState;
 
-// Two sums of 32 bits, as views.mjs computes them.
+// Two sums of 32 bits, computed as in views.mjs.
 class Hash {
  public:
   void add(std::uint32_t word) {
@@ -82,7 +85,7 @@ Json run(PageState& page, const Json& made, std::int64_t until) {
     for (const auto& stroke : session->take_flashes()) {
       std::array<std::uint32_t, 4> words{};
       std::memcpy(words.data(), &stroke, sizeof words);
-      words[3] &= 0xFFU;  // the rest is room between strokes
+      words[3] &= 0xFFU;  // the rest is padding between strokes
       strokes.add_words(words);
       ++count;
     }

@@ -1,10 +1,12 @@
-// Every scene of the firmware in many views, in the module and natively: all strokes and their times, the raster, the state of the machine to the last
-// word, the pictures of the priority display. By hand:
+// Every scene of the firmware in many views, in the module and natively: all strokes and their times, the raster, the complete
+// state of the
+// machine, the pictures of the priority display. Run by hand:
 //
 //   node views.mjs MODULE.wasm MODULE.js VIEWS_PROGRAM [VIEWS [PART...]]      (tools/dev check views)
 //
-// VIEWS: of each scene, 100 by default. PART: jones, turn, skala, stripes, flight; all by default. views.cpp is the native side, and says what a line
-// between the two is. That the module does what the command does is what module_test.mjs compares.
+// VIEWS: number per scene, 100 by default. PART: jones, turn, skala, stripes, flight; all by default. views.cpp is the native
+// side, and
+// describes the lines exchanged between the two. module_test.mjs compares the module with the command.
 
 import {spawn} from 'node:child_process';
 import {readFileSync} from 'node:fs';
@@ -23,11 +25,11 @@ const lines = createInterface({input: native.stdout})[Symbol.asyncIterator]();
 native.on('exit', code => { if (code) { console.error(`FAILED: the native program ended with ${code}`); process.exit(1); } });
 const tell = line => native.stdin.write(JSON.stringify(line) + '\n');
 
-// A small generator of numbers, the same in every run.
+// A small random number generator, the same in every run.
 let seed = 20261124;
 const dice = n => { seed = (Math.imul(seed, 1103515245) + 12345) >>> 0; return Math.floor(seed / 2 ** 32 * n); };
 
-// Two sums of 32 bits, as views.cpp computes them.
+// Two sums of 32 bits, computed as in views.cpp.
 class Hash {
   a = 0x9e3779b9 | 0;
   b = 0x7f4a7c15 | 0;
@@ -133,7 +135,7 @@ for (const [f, name] of module.ask({do: 'lists'}).functions.map(each => each.nam
 for (const scene of ['boxes-5', 'boxes-8', 'house', 'roberts', 'town-2', 'star.off', 'crossed.off'])
   await compare('stripes', scene, many(n => ({do: 'stripes', scene, device: n % 2 ? 'ef9365' : 'calcomp', priority_by_host: n % 5 === 0, camera: camera(dice(360) - 180, dice(81)), until: 3e6 * 60})));
 
-// A frame is a view.
+// One frame is a view.
 for (const scene of ['prisms-9', 'prisms-25', 'town-4', 'town-9', 'town-20', 'town-60'])
   await compare('flight', scene, [8, 12, 16].flatMap(bits => [false, true].map(plan => ({do: 'flight', scene, bits, plan, pieces: 255, frames: Math.max(2, views)}))));
 

@@ -1,4 +1,5 @@
-// Flights through prisms and towns: guest and twin, order against exact distances, pictures, and the cost model of NOTES.md.
+// Flights through prisms and towns: guest and twin, order compared with exact distances, pictures, and the cost model of
+// NOTES.md.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -58,7 +59,7 @@ const std::vector<Flight>& all() {
   return made;
 }
 
-// Checked, complete, and every frame of it.
+// Runs the flight with all checks; it must be complete.
 Outcome flown(const Flight& flight, Precision precision, bool count_points = false,
               std::function<void(std::uint32_t frame, std::span<const std::uint32_t> picture)> picture = {}) {
   auto outcome = run({.model = flight.model, .path = flight.path, .precision = precision, .count_points = count_points, .check = true,
@@ -67,7 +68,7 @@ Outcome flown(const Flight& flight, Precision precision, bool count_points = fal
   return outcome ? *outcome : Outcome{};
 }
 
-TEST(Flight, IsTheTwinsInEveryPriorityOfEveryFrame) {
+TEST(Flight, EqualsTheTwinInEveryPriorityOfEveryFrame) {
   for (const Flight& flight : all()) {
     for (const Precision precision : all_precisions) {
       const Outcome outcome = flown(flight, precision);
@@ -77,14 +78,14 @@ TEST(Flight, IsTheTwinsInEveryPriorityOfEveryFrame) {
   }
 }
 
-// Through the scene, and nowhere in a building.
-TEST(Flight, KeepsToFreeSpace) {
+// Through the scene, but not inside a building.
+TEST(Flight, StaysInFreeSpace) {
   for (const Flight& flight : all())
     for (const scene::PolyCamera& camera : flight.path) EXPECT_FALSE(scene::eye_error(flight.scene, camera)) << flight.name;
 }
 
-// What pack() says of its error: pieces farther apart than that are in the order of their true distances.
-TEST(Flight, OrdersWhatIsFartherApartThanTheStatedError) {
+// The error that pack() states: pieces whose distances differ by more are in the order of their true distances.
+TEST(Flight, OrdersDistancesThatDifferByMoreThanTheStatedError) {
   for (const Flight& flight : all()) {
     for (const Precision precision : all_precisions) {
       const Outcome run = flown(flight, precision);
@@ -111,7 +112,7 @@ TEST(Flight, OrdersWhatIsFartherApartThanTheStatedError) {
   }
 }
 
-// More bits, fewer wrong orders; and what the display shows is what the exact order shows, but for the points counted as wrong.
+// More bits give fewer wrong orders; the display shows the same as with the exact order, except for the points counted as wrong.
 TEST(Flight, CountsWrongOrdersAgainstExactOnes) {
   std::vector<Flight> flights;
   flights.push_back(flight_through("town-20", scene::generate_town(20), false, tests::effort(25U, 3U)));
@@ -141,7 +142,7 @@ TEST(Flight, CountsWrongOrdersAgainstExactOnes) {
   }
 }
 
-TEST(Flight, CostsWhatTheModelSays) {
+TEST(Flight, CostsAsMuchAsTheModelStates) {
   for (const Flight& flight : all()) {
     for (const Precision precision : all_precisions) {
       const Outcome run = flown(flight, precision);
@@ -155,7 +156,7 @@ TEST(Flight, CostsWhatTheModelSays) {
   }
 }
 
-// 100 pieces; the paper wants 25 frames a second.
+// 100 pieces; the paper requires 25 frames per second.
 TEST(Flight, IsFastEnough) {
   const Flight flight = flight_through("town-20", scene::generate_town(20), false, frames(), 100);
   ASSERT_EQ(flight.model.pieces.size(), 100U);
@@ -165,7 +166,7 @@ TEST(Flight, IsFastEnough) {
   }
 }
 
-TEST(Flight, SaysWhatDoesNotFit) {
+TEST(Flight, ReportsWhatDoesNotFit) {
   const scene::PolyScene large = scene::generate_town(60);
   const auto model = flight_model(large, {}, large.camera.eye);
   ASSERT_FALSE(model);
@@ -180,8 +181,9 @@ TEST(Flight, SaysWhatDoesNotFit) {
   EXPECT_EQ(some->pieces.size(), 40U);
 }
 
-// Solids that touch, and one that is not convex: planes keep them apart, and the order is that of willis::Frames but where distances are rounded.
-TEST(Flight, KeepsApartWhatTouches) {
+// Touching solids, and a non-convex one: planes separate them, and the order equals that of willis::Frames except for rounded
+// distances.
+TEST(Flight, SeparatesTouchingSolids) {
   std::vector<Flight> flights;
   flights.push_back(flight_through("touch-2", scene::generate_touch(2), false, tests::effort(40U, 5U)));
   flights.push_back(flight_through("roberts", scene::poly_scene_of(*scene::load_cell_scene("roberts")), false, tests::effort(40U, 5U)));

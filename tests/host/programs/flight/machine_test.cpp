@@ -1,4 +1,4 @@
-// The program on the emulated 8080 against its native twin, priority for priority, and what it does with bad streams.
+// The program on the emulated 8080 compared with its native twin, priority by priority; and its reaction to bad streams.
 //
 // SIGHTLINE_FLIGHTS=10 in the environment makes the random flights ten times as many.
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ TEST(FlightGuest, TheNearestPieceHasTheHighestPriority) {
     EXPECT_EQ(priorities_of(flight.frames[0], 4), (std::vector<int>{4, 3, 2, 1}));
     EXPECT_EQ(priorities_of(flight.frames[1], 4), (std::vector<int>{1, 2, 3, 4}));
     EXPECT_EQ(priorities_of(flight.frames[2], 4), (std::vector<int>{2, 4, 3, 1}));
-    // 20 and 30 are as far from 25, as are 10 and 40: they stay as they were, 20 before 30 and 10 before 40.
+    // 20 and 30 are equally far from 25, as are 10 and 40: they keep their order, 20 before 30 and 10 before 40.
     EXPECT_EQ(priorities_of(flight.frames[3], 4), (std::vector<int>{2, 4, 3, 1}));
     EXPECT_EQ(priorities_of(flight.frames[4], 4), (std::vector<int>{1, 3, 4, 2}));
     EXPECT_EQ(priorities_of(flight.frames[5], 4), (std::vector<int>{1, 2, 3, 4}));
@@ -60,15 +60,15 @@ TEST(FlightGuest, TheNearestPieceHasTheHighestPriority) {
   }
 }
 
-// Any points, eyes that jump, keys that are the same, one piece and 255.
-TEST(FlightGuest, IsItsTwinInRandomFlights) {
+// Random points, eyes that jump, equal keys, one piece and 255 pieces.
+TEST(FlightGuest, EqualsItsTwinInRandomFlights) {
   constexpr std::uint32_t seed = 20261124;
   Dice dice(seed);
   const int rounds = flights() * tests::effort(60, 12);
   for (int n = 0; n < rounds; ++n) {
     const Precision precision = precisions[static_cast<std::size_t>(n) % 3];
     const auto axes = static_cast<std::size_t>(dice(2, 3));
-    // With precision 3 the squares of high bytes stay below 2^16 in all.
+    // With precision 3 the squares of high bytes must sum to less than 2^16.
     std::int32_t most = precision == Precision::bits_8 ? 255 : precision == Precision::bits_12 ? 4095 : axes == 2 ? 46'335 : 37'887;
     if (dice(0, 3) == 0) most = dice(0, 20);
     const std::size_t pieces = n % 9 == 0 ? 255 : n % 9 == 1 ? 1 : static_cast<std::size_t>(dice(2, 120));
@@ -116,8 +116,8 @@ TEST(FlightGuest, TheEyesSideOfAPlaneComesFirst) {
   }
 }
 
-// Any trees of planes: cells that no plane leads to, and planes, are allowed.
-TEST(FlightGuest, IsItsTwinWithRandomPlanes) {
+// Random trees of planes: cells and planes that no plane refers to are allowed.
+TEST(FlightGuest, EqualsItsTwinWithRandomPlanes) {
   constexpr std::uint32_t seed = 20261125;
   Dice dice(seed);
   const int rounds = flights() * tests::effort(60, 12);
@@ -170,7 +170,7 @@ class DamagedFlight : public testing::Test {
   static std::vector<std::uint8_t> whole(Precision precision) {
     return stream_of(precision, 3, {{10, 20, 30}, {40, 5, 6}, {7, 8, 9}, {101, 120, 130}}, {{1, 2, 3}, {90, 80, 70}});
   }
-  // The program tells it, and shows nothing but what came before it.
+  // The program reports the error, and shows only the frames before it.
   static Status refused(const std::vector<std::uint8_t>& stream, Precision precision, const std::string& what) {
     const MachineFlight guest = run_machine(resident_program(), stream);
     EXPECT_EQ(difference_from_twin(guest, run_twin(stream)), "") << what;
@@ -204,7 +204,7 @@ TEST_F(DamagedFlight, EveryByteLostDoubledOrExchanged) {
     refused(lost, Precision::bits_8, "byte " + std::to_string(at) + " lost");
     auto doubled = right;
     doubled.insert(doubled.begin() + place, right[at]);
-    // A last byte too many is never read.
+    // A superfluous last byte is never read.
     if (at + 1 < right.size() && right[at] != right[at + 1]) refused(doubled, Precision::bits_8, "byte " + std::to_string(at) + " doubled");
     if (at + 1 == right.size() || right[at] == right[at + 1]) continue;
     auto exchanged = right;
@@ -248,10 +248,10 @@ TEST_F(DamagedFlight, EveryStatusHasItsCause) {
     return status(stream);
   };
   EXPECT_EQ(places({1, 0, 0x82, 2, 3, 127}, {1, 2, 127, 3}), Status::complete);
-  EXPECT_EQ(places({1, 0, 2, 5, 3, 4}, {1, 2, 3, 5}), Status::complete);       // nothing leads to plane 2
+  EXPECT_EQ(places({1, 0, 2, 5, 3, 4}, {1, 2, 3, 5}), Status::complete);       // nothing refers to plane 2
   EXPECT_EQ(places({1, 0, 0x81, 2, 3, 4}, {1}), Status::out_of_range);          // a plane below itself
   EXPECT_EQ(places({1, 0, 0x82, 2, 3, 0x81}, {1}), Status::out_of_range);       // and above
-  EXPECT_EQ(places({1, 0, 0x83, 2, 3, 4}, {1}), Status::out_of_range);          // there is no third
+  EXPECT_EQ(places({1, 0, 0x83, 2, 3, 4}, {1}), Status::out_of_range);          // there is no third plane
   EXPECT_EQ(places({1, 0, 0x80, 2, 3, 4}, {1}), Status::out_of_range);
   EXPECT_EQ(places({1, 0, 0x82, 2, 3, 1}, {1}), Status::out_of_range);          // a cell twice
   EXPECT_EQ(places({0x82, 0, 0x82, 2, 3, 1}, {1}), Status::out_of_range);       // a plane twice

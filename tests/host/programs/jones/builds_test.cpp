@@ -1,5 +1,6 @@
-// The builds of Jones's program with other fraction bits, and with quotients cut off: the machine against the
-// native twin, bit for bit, with the EAE and without, on every scene.
+// The builds of Jones's program with other fraction bits, and with truncated quotients: the machine compared with the native
+// twin, bit for
+// bit, with and without the EAE, on every scene.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -71,7 +72,7 @@ TEST_P(JonesBuilds, GuestAndTwinAgree) {
   }
 }
 
-TEST_P(JonesBuilds, PiecesOnTheMachineAreThoseOfTheTwin) {
+TEST_P(JonesBuilds, PiecesOnTheMachineEqualThoseOfTheTwin) {
   const Program program = assembled(build());
   ASSERT_FALSE(program.core.empty());
   const TwinView expected = twin_view(program, twin_parameters(build()));
@@ -108,8 +109,8 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, JonesBuilds,
                                   (std::get<3>(p.param) ? "_Truncated" : "");
                          });
 
-// By hand: at scale 512 a point at x/z = 2/3 lies 341 1/3 points from the centre, one at 1/3 170 2/3.
-TEST(JonesFractionBits, CoordinatesAreCutToTheirFraction) {
+// By hand: at scale 512 a point at x/z = 2/3 is 341 1/3 points from the centre, one at 1/3 is 170 2/3.
+TEST(JonesFractionBits, CoordinatesAreTruncatedToTheirFraction) {
   Operations operations;
   const auto x_of = [&](int fraction_bits, bool truncate, std::int32_t x) {
     const ShortWords number(machine_word_bits, fraction_bits, truncate);
@@ -124,7 +125,7 @@ TEST(JonesFractionBits, CoordinatesAreCutToTheirFraction) {
   EXPECT_EQ(x_of(3, false, -2), -2731) << "-341.375";
 }
 
-TEST(JonesFractionBits, PointsAreRoundedHalfUpOrTakenDown) {
+TEST(JonesFractionBits, PointsAreRoundedHalfUpOrTruncated) {
   EXPECT_EQ(ShortWords(18, 1, false).point(-1), 0) << "-0.5";
   EXPECT_EQ(ShortWords(18, 1, true).point(-1), -1);
   EXPECT_EQ(ShortWords(18, 3, false).point(12), 2) << "1.5";
@@ -133,7 +134,7 @@ TEST(JonesFractionBits, PointsAreRoundedHalfUpOrTakenDown) {
   EXPECT_EQ(ShortWords(18, 0, false).point(-7), -7);
 }
 
-TEST(JonesFractionBits, NothingLeavesTheWordAtAnyScale) {
+TEST(JonesFractionBits, NothingOverflowsTheWordAtAnyScale) {
   for (int f = 0; f <= 3; ++f) {
     for (std::int32_t scale = 64; scale <= 4096; ++scale) {
       for (const Pass pass : {Pass::mono, Pass::left}) {

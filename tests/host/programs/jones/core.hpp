@@ -1,4 +1,4 @@
-// Core images for tests of Jones's program: data elements put together by hand, word by word.
+// Core images for tests of Jones's program: data elements composed by hand, word by word.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ struct TestOpening {
   TestChain ring;
 };
 
-// A rectangle normal to z at z, from (x0, y0) to (x1, y1), all its sides of the given F.
+// A rectangle normal to z at z, from (x0, y0) to (x1, y1), with the given F on all sides.
 inline TestChain doorway(std::int32_t z, std::int32_t x0, std::int32_t x1, std::int32_t y0, std::int32_t y1,
                          bool actual = false) {
   return {
@@ -35,7 +35,7 @@ class TestCore {
  public:
   static constexpr std::uint32_t header = 04000;
 
-  // The eye at the origin, in cell 0; it may move nowhere.
+  // The eye at the origin, in cell 0; it cannot move.
   TestCore(const std::vector<TestChain>& cells, const std::vector<TestOpening>& openings) {
     std::vector<std::uint32_t> cell_at, opening_at;
     std::uint32_t next = header + 11;

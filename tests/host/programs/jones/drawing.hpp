@@ -1,4 +1,4 @@
-// Views of hand-made core images, and what a display file draws.
+// Views of hand-made core images, and the lines of a display file.
 #pragma once
 
 #include <vector>
@@ -12,10 +12,10 @@ inline TwinView view_of(const TestCore& core, const Parameters& parameters = {})
   return run_twin(core.words, TestCore::header, parameters);
 }
 
-// Where the beam goes, by the word formats of the Type 340 alone.
+// The path of the beam, by the word formats of the Type 340 alone.
 struct Drawing {
-  std::vector<ScreenSegment> pieces;   // one an unbroken chain of vector words, points of the screen
-  std::vector<ScreenSegment> vectors;  // one a vector word
+  std::vector<ScreenSegment> pieces;   // one per unbroken chain of vector words, points of the screen
+  std::vector<ScreenSegment> vectors;  // one per vector word
   bool well_formed = true;
 };
 inline Drawing decode(const TwinView& view) {

@@ -1,5 +1,4 @@
-// Words and source tapes of scenes: sizes, formats read back by a decoder of the test's own, and the tapes on
-// file.
+// Words and source tapes of scenes: sizes, formats read back by an independent decoder, and the tapes in files.
 #include "host/programs/jones/encode.hpp"
 
 #include <gtest/gtest.h>
@@ -142,7 +141,7 @@ TEST(Encode, HeaderHoldsTheEyeAndItsLimits) {
   EXPECT_EQ(kitchen.words[10].value, 749U);
 }
 
-TEST(Encode, ListEntriesPointAtTheWordNamingTheFarCell) {
+TEST(Encode, ListEntriesPointToTheWordNamingTheFarCell) {
   const EncodedScene house = encoded(scene::builtin_scene("house"));
   const Core core(house);
   const auto list_of = [&](std::size_t cell) { return core.vectors(house.cell_addresses[cell]).next; };
@@ -184,7 +183,7 @@ std::string refusal(const scene::CellScene& scene, std::optional<Point> eye, std
   return !result ? result.error().message() : "encoded";
 }
 
-TEST(Encode, RefusesAnEyeThatSeesThroughTheNearPlane) {
+TEST(Encode, RejectsAnEyeThatSeesThroughTheNearPlane) {
   const scene::CellScene house = scene::builtin_scene("house");
   EXPECT_EQ(
       refusal(house, Point{100, 100, 400}),
@@ -195,14 +194,14 @@ TEST(Encode, RefusesAnEyeThatSeesThroughTheNearPlane) {
   EXPECT_EQ(refusal(house, Point{0, 100, -20}), "point (0, 100, -20): is outside the outer box");
 }
 
-TEST(Encode, RefusesWhatDoesNotFitIntoCore) {
+TEST(Encode, RejectsScenesThatDoNotFitIntoCore) {
   const scene::CellScene house = scene::builtin_scene("house");  // 112 words
   EXPECT_EQ(refusal(house, {}, 017620), "encoded");
   EXPECT_EQ(refusal(house, {}, 017621), "needs 112 words from address 017621; core ends at 017777");
   EXPECT_EQ(refusal(house, {}, 0777777), "needs at least 96 words from address 777777; core ends at 017777");
 }
 
-// A source tape as an assembler without any cleverness reads it: tags, octal numbers, +, / comments.
+// Reads a source tape as a minimal assembler does: tags, octal numbers, +, / comments.
 std::vector<std::uint32_t> assemble(const std::string& tape, std::uint32_t base) {
   std::map<std::string, std::uint32_t> symbols;
   std::vector<std::uint32_t> words;
@@ -251,7 +250,7 @@ TEST(WriteTape, EqualsTheTapesOfTheFirmware) {
     }
     const std::string approved = tests::read_whole(path);
     EXPECT_TRUE(tape == approved) << path << ": " << tests::where_they_part(approved, tape)
-                                  << "\n  SIGHTLINE_APPROVE=1 writes the new tape, if the change is meant";
+                                  << "\n  SIGHTLINE_APPROVE=1 writes the new tape, if the change is intended";
   }
 }
 

@@ -1,5 +1,5 @@
-// Jones's program on the emulated PDP-7 with its display: the default view of every scene, what it costs and
-// what is seen of it. Switches, statuses and lines added at once: tests/firmware/jones_control_test.cpp.
+// Jones's program on the emulated PDP-7 with its display: the default view of every scene, its cost and its picture.
+// tests/firmware/jones_control_test.cpp tests switches, statuses and lines added at once.
 #include "host/programs/jones/jones.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ class JonesGuest : public testing::TestWithParam<std::tuple<const char*, bool>> 
   Outcome run;
 };
 
-TEST_P(JonesGuest, EveryViewIsTheTwins) {
+TEST_P(JonesGuest, EveryViewEqualsTheTwins) {
   const TwinView expected = twin_view(program);
   ASSERT_EQ(expected.status, Status::complete);
   ASSERT_EQ(run.views.size(), 2U);
@@ -37,7 +37,7 @@ TEST_P(JonesGuest, EveryViewIsTheTwins) {
     EXPECT_TRUE(same_words(view.display_file, expected.display_file));
     EXPECT_EQ(view.visits, expected.counts.visits);
     EXPECT_EQ(view.openings_tested, expected.counts.openings_tested);
-    // The machine passes over lines of openings whose box lies beside the mask.
+    // The machine skips lines of openings whose box does not meet the mask.
     EXPECT_LE(view.lines_clipped, expected.counts.lines_clipped);
     EXPECT_GE(view.lines_clipped, expected.counts.pieces);
     EXPECT_EQ(view.pieces, expected.counts.pieces);
@@ -45,7 +45,7 @@ TEST_P(JonesGuest, EveryViewIsTheTwins) {
   }
 }
 
-// Without a display another watch counts. What a display adds is its interrupts.
+// Without a display another watch counts. A display only adds its interrupts.
 TEST_P(JonesGuest, AViewWithoutADisplayIsCountedAlike) {
   for (const bool immediate : {false, true}) {
     Order order;
@@ -73,7 +73,7 @@ TEST_P(JonesGuest, AViewWithoutADisplayIsCountedAlike) {
   }
 }
 
-// "A few seconds", and less with good code: view 2, the picture before it on the screen.
+// "A few seconds", and less with efficient code: view 2, while the display shows the previous picture.
 TEST_P(JonesGuest, TakesNoLongerThanItMay) {
   ASSERT_EQ(run.views.size(), 2U);
   const auto seconds = [](core::Duration time) { return core::in_seconds(time); };
@@ -88,8 +88,8 @@ TEST_P(JonesGuest, TakesNoLongerThanItMay) {
   EXPECT_GT(run.views[1].stolen_cycles, ticks(run.views[1]));
 }
 
-// Point for point, and again and again.
-TEST_P(JonesGuest, ThePictureIsWhatTheWordsSay) {
+// Point for point, repeatedly.
+TEST_P(JonesGuest, ThePictureMatchesTheWords) {
   EXPECT_EQ(points_of(run.pass), drawn_points(twin_view(program).display_file));
   for (const core::Stroke& stroke : run.pass) ASSERT_EQ(stroke.intensity, 7);
   EXPECT_GT(run.refresh_period.count(), 0);
@@ -104,8 +104,8 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, JonesGuest,
                                   (std::get<1>(p.param) ? "_WithEae" : "_WithoutEae");
                          });
 
-// Of a row of rooms the search enters only the visible ones, however many there are.
-TEST(JonesGuestCells, UnseenRoomsAreNeverTouched) {
+// In a row of rooms the search enters only the visible ones, for any number of rooms.
+TEST(JonesGuestCells, InvisibleRoomsAreNeverEntered) {
   Outcome runs[2];
   for (int i = 0; i < 2; ++i) {
     runs[i] = outcome_of(assembled(i == 0 ? "corridor8" : "corridor32", true));
@@ -115,8 +115,8 @@ TEST(JonesGuestCells, UnseenRoomsAreNeverTouched) {
   EXPECT_EQ(runs[0].views[0].display_file, runs[1].views[0].display_file);
 }
 
-// Whatever core holds when power comes on.
-TEST(JonesGuestCore, WhatWasInCoreDoesNotMatter) {
+// For any contents of core at power-on.
+TEST(JonesGuestCore, TheInitialContentsOfCoreHaveNoEffect) {
   const Program program = assembled("roberts", true);
   const TwinView expected = twin_view(program);
   core::Duration times[2]{};
@@ -147,7 +147,7 @@ std::vector<ScreenSegment> pieces_of(const View& view) {
   return drawing.pieces;
 }
 
-TEST(JonesGuestStereo, EachEyeKeepsToItsHalf) {
+TEST(JonesGuestStereo, EachEyeStaysInItsHalf) {
   Order order;
   order.stereo = true;
   for (const char* scene : scene_names) {
@@ -163,8 +163,8 @@ TEST(JonesGuestStereo, EachEyeKeepsToItsHalf) {
   }
 }
 
-// Ten units between the eyes: 51 half points at a distance of 100, a third of one at 16000.
-TEST(JonesGuestStereo, FarPointsLieEquallyInBothHalves) {
+// Ten units between the eyes: 51 half points at a distance of 100, a third of a half point at 16000.
+TEST(JonesGuestStereo, FarPointsAreEqualInBothHalves) {
   const scene::CellScene scene =
       one_cell({2000, 200, 0}, {{0, 0, -100}, {4000, 400, 16000}},
                {{{2020, 210, 100}, {2020, 240, 100}}, {{3000, 0, 16000}, {3000, 400, 16000}}});

@@ -1,7 +1,9 @@
-// How wrong the pictures of Jones's program are: what the twin draws in 18-bit arithmetic against the exact
-// visibility of the scene, over many views. The bound is one per cent of the true length, counting what is
-// missing and what is too much where it is more than a point away. It holds for the sum over a thousand
-// views, not for a few: one line a little over a point off is already two per cent of a street.
+// The error of the pictures of Jones's program: the twin's drawing in 18-bit arithmetic compared with the exact visibility of the
+// scene,
+// over many views. The bound is one per cent of the true length, counting missing and extra parts that are more than a point
+// away. It
+// holds for the sum over a thousand views, not for a few: a single line slightly more than a point off is already two per cent of
+// a street.
 //
 // Half of the views are from the scene's own initial cell, half from any cell of the scene.
 #include <gtest/gtest.h>
@@ -30,7 +32,7 @@ constexpr int views = 1000;
 constexpr double a_point = 1.0;
 constexpr double allowed_share = 0.01;
 
-// The scene in core with the eye there; empty if no eye can stand there.
+// The scene in core with that eye; empty if the position is invalid.
 std::optional<std::vector<core::Word18>> core_of(const scene::CellScene& scene, const geometry::Point& eye) {
   const auto encoded = programs::jones::encode(scene, {eye}, TestCore::header);
   if (!encoded) return std::nullopt;

@@ -1,8 +1,9 @@
-// Jones's program on the emulated PDP-7 against its native twin over random views of every scene: the same
-// display words and the same status, bit for bit, with the EAE and without, in every mode.
+// Jones's program on the emulated PDP-7 compared with its native twin on random views of every scene: the same display words and
+// the same
+// status, bit for bit, with and without the EAE, in every mode.
 //
-// Most views are computed with no display on the machine; some run as a person would see them, the second
-// view while the first is refreshed. The worst time of a view is recorded without a limit.
+// Most views are computed without a display on the machine; some run as a user would see them, the second view while the first is
+// refreshed. The worst time of a view is recorded without a limit.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -46,7 +47,7 @@ class JonesRandomViews : public testing::TestWithParam<std::tuple<std::string, b
   std::string scene() const { return std::get<0>(GetParam()); }
   bool eae() const { return std::get<1>(GetParam()); }
 
-  // The same view with the picture before it on the screen.
+  // The same view while the display shows the previous picture.
   void expect_same_with_display(const Program& program, const Parameters& parameters,
                                 const TwinView& expected) const {
     Order order;
@@ -63,8 +64,7 @@ class JonesRandomViews : public testing::TestWithParam<std::tuple<std::string, b
       EXPECT_EQ(view.distinct_cells, expected.counts.distinct_cells);
       EXPECT_EQ(view.pieces, expected.counts.pieces);
     }
-    // Where lines are added at once the first view is shown while it is made, too; a picture of nothing is
-    // not refreshed.
+    // If lines are added at once the first view is displayed while it is made, too; an empty picture is not refreshed.
     if (!parameters.immediate && run.views[0].pieces > 0) {
       EXPECT_GT(run.views[1].time, run.views[0].time) << "the display steals cycles";
     }

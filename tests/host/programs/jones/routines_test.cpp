@@ -1,6 +1,7 @@
-// The routines of Jones's program that calculate, called one by one on the emulated PDP-7 and compared with
-// plain 64-bit arithmetic or with the twin's functions, with the EAE and without. Ranges: SPECIFICATION.md
-// and the comment at each label. Clipping and masks: jones_clip_routines_test.cpp.
+// The arithmetic routines of Jones's program, called one by one on the emulated PDP-7 and compared with plain 64-bit arithmetic
+// or with
+// the twin's functions, with and without the EAE. Ranges: SPECIFICATION.md and the comment at each label. Clipping and masks:
+// jones_clip_routines_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,7 +49,7 @@ TEST_P(JonesRoutines, MultiplyAndDivide) {
   }
 }
 
-// Only the EAE can be asked for a quotient above AC.
+// Only the EAE can get a quotient above AC.
 TEST_P(JonesRoutines, DivideOverflowIsAFault) {
   if (!machine.eae()) GTEST_SKIP() << "without the EAE b is not above c, and nothing can overflow";
   for (int i = 0; i < rounds; ++i) {
@@ -167,7 +168,7 @@ TEST_P(JonesRoutines, ElevenStepMultiplication) {
   }
 }
 
-// Pieces into words, joined and not, against the twin's display file.
+// Pieces as words, joined and not, compared with the twin's display file.
 TEST_P(JonesRoutines, DisplayWordsOfPieces) {
   for (int file = 0; file < 40; ++file) {
     const bool joining = file % 2 == 0;

@@ -1,5 +1,6 @@
-// A prepared program's core for another eye against the program assembled for that eye, word for word; its runs against the
-// twin; and what a run that fails says.
+// A prepared program's core for another eye compared with the program assembled for that eye, word for word; its runs compared
+// with the
+// twin; and the message of a failed run.
 #include "host/programs/jones/jones.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ constexpr int run_every = 10;
 
 class JonesRun : public testing::TestWithParam<const char*> {
  protected:
-  // Anywhere in the scene's box and a little beside it: some of the places are none to stand at.
+  // Anywhere in the scene's box and slightly outside: some of the positions are invalid.
   geometry::Point random_eye() {
     geometry::Point eye{};
     for (std::size_t a = 0; a < 3; ++a) eye[a] = dice_(scene_.outer.low[a] - 1, scene_.outer.high[a] + 1);
@@ -30,7 +31,7 @@ class JonesRun : public testing::TestWithParam<const char*> {
   Dice dice_{1};
 };
 
-TEST_P(JonesRun, AnotherEyeIsAnotherAssembly) {
+TEST_P(JonesRun, AnotherEyeGivesAnotherAssembly) {
   if (scene_.name != "house") NEEDS_OPTIMISED_CODE();
   const auto prepared = Prepared::of(scene_);
   ASSERT_TRUE(prepared);
@@ -81,7 +82,7 @@ TEST_P(JonesRun, ItsTwinKnowsItsModes) {
 INSTANTIATE_TEST_SUITE_P(Scenes, JonesRun, testing::ValuesIn(scene_names),
                          [](const auto& scene) { return std::string(scene.param); });
 
-TEST(JonesRuns, SayWhatFailed) {
+TEST(JonesRuns, ReportTheFailure) {
   const scene::CellScene house = scene::builtin_scene("house");
   Order order;
   order.views = 1;
@@ -96,7 +97,7 @@ TEST(JonesRuns, SayWhatFailed) {
   EXPECT_EQ(nowhere.error().kind, base::ErrorKind::bad_input);
 }
 
-// A view is compared with the twin's of another scale.
+// Compares a view with the twin's view at another scale.
 TEST(JonesRuns, NameADifference) {
   const auto prepared = Prepared::of(scene::builtin_scene("house"));
   ASSERT_TRUE(prepared);
@@ -110,8 +111,8 @@ TEST(JonesRuns, NameADifference) {
   EXPECT_TRUE(difference_of(outcome->view(), *prepared->twin(order)).starts_with("word ")) << "of the display file";
 }
 
-// At the console the switch for a stereo pair is up, of which the twin is not told.
-TEST(JonesRuns, CheckOnlyWhereItIsAskedFor) {
+// At the console the switch for a stereo pair is up, which the twin does not know.
+TEST(JonesRuns, CheckOnlyOnRequest) {
   const scene::CellScene house = scene::builtin_scene("house");
   Order order;
   order.views = 1;
@@ -124,7 +125,7 @@ TEST(JonesRuns, CheckOnlyWhereItIsAskedFor) {
   EXPECT_EQ(checked.error().kind, base::ErrorKind::differs);
 }
 
-// The scene's own view need not be one that the program accepts.
+// The program need not accept the scene's own view.
 TEST(JonesRuns, AreFromAnotherEyeThanTheScenes) {
   scene::CellScene house = scene::builtin_scene("house");
   const geometry::Point eye = house.default_view;

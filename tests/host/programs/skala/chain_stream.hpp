@@ -1,4 +1,4 @@
-// The oracle's chains as command streams, and the twin's picture compared with the oracle's.
+// Sends the oracle's chains as command streams, and compares the twin's picture with the oracle's.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using algorithms::oracle::ChainVertex;
 using algorithms::oracle::ColumnPicture;
 using algorithms::oracle::SegmentRole;
 
-// A level from 1 to 7 that belongs to a vertex.
+// A level from 1 to 7, determined by the vertex.
 [[nodiscard]] inline int level_of(const ChainVertex& vertex) {
   return 1 + (3 * vertex.x + 5 * vertex.y) % 7;
 }
@@ -41,8 +41,7 @@ class ChainSender {
   }
 
  private:
-  // A chain that begins where the last ended would not have its first point stepped: the pen goes away and
-  // comes back.
+  // If a chain began where the last ended, its first point would not be stepped: the pen moves away and back.
   void begin_at(const ChainVertex& vertex) { bytes_.move(vertex.x ^ 1, vertex.y).move(vertex.x, vertex.y); }
 
   void segment(const ChainVertex& from, const ChainVertex& to) {
@@ -66,7 +65,7 @@ class ChainSender {
   bool pending_level_ = true;
 };
 
-// The first differences, for messages; empty if every dot of `expected` is lit in the raster and no other.
+// The first differences, for messages; empty if exactly the dots of `expected` are lit in the raster.
 [[nodiscard]] inline std::string lit_differences(
     const core::Raster& raster,
     const std::array<std::bitset<algorithms::oracle::raster_columns>, algorithms::oracle::raster_columns>&

@@ -30,9 +30,8 @@ TEST(ContourLevels, DivideTheRange) {
   for (const double level : contour_levels({-1.7e308, 1.7e308}, 255)) EXPECT_TRUE(std::isfinite(level));
 }
 
-// Of heights whose difference scaling would lose, and of those whose difference is beyond the greatest
-// double.
-TEST(ContourCrossing, IsOnItsEdgeHoweverSmallOrLargeTheHeights) {
+// Heights whose difference would be lost by scaling, and heights whose difference exceeds the largest double.
+TEST(ContourCrossing, IsOnItsEdgeForAnyMagnitudeOfHeights) {
   const std::array<GridIndex, 3> triangle{{{0, 0}, {1, 0}, {0, 1}}};
   const auto inside = [](const Vertex& v) { return v.x >= 0 && v.x <= 255 && v.y >= 0 && v.y <= 255; };
   for (const auto& [low, high, level] : {std::array{-5e-324, 0.0, 0.0}, std::array{0.0, 5e-324, 5e-324},
@@ -46,8 +45,9 @@ TEST(ContourCrossing, IsOnItsEdgeHoweverSmallOrLargeTheHeights) {
   EXPECT_EQ(raster_coordinate(std::nan("")), 0);
 }
 
-// A MASK leaves the pen of a plotter at the end of the last ink; from there the nearest line comes next, from
-// its nearer end. On a raster the last of two colours stays, so lines keep their order.
+// MASK leaves the pen of a plotter at the end of the last ink; from there the nearest line comes next, starting at its nearer
+// end. On a
+// raster the last of two colours stays, so lines keep their order.
 TEST(SkalaStreamWriter, TestLinesNearestToAPlottersPenFirst) {
   const auto vertex = [](int x, int y) { return Vertex{1.0 * x, 1.0 * y, x, y, 0, true}; };
   const auto chain = [&](Place from, Place to, ChainStep step) {
@@ -103,7 +103,7 @@ TEST(ContourCrossing, LiesOnTheEdgesAtTheLevel) {
 TEST(ContourCrossing, AHeightEqualToTheLevelIsAbove) {
   const scene::HeightGrid grid = grid_of({{0, 4}, {4, 8}});
   const Projection projection(grid, {.elevation = 90});
-  // Below: 0. Above: the side corners, in whose line the contour lies.
+  // 0 is below. 1 is above: the side corners, on whose line the contour is.
   const ContourCrossing near = contour_crossing(grid, projection, {{{0, 0}, {1, 0}, {0, 1}}}, 4);
   ASSERT_TRUE(near.crossed);
   EXPECT_EQ(std::abs(near.piece.from.column - near.piece.to.column), 255);
@@ -152,7 +152,7 @@ TEST(SkalaContours, OnlyTheDomainsMarginsHaveInkUnlessANetIsWanted) {
   EXPECT_EQ(inked(lines_of(contour_stream(grid, view))), 3 * 3 + 4 * 2);
 }
 
-// A bell's contours above its border are closed: at every dot an even number of pieces of a colour ends.
+// A bell's contours above its border are closed: an even number of pieces of a colour ends at every dot.
 TEST(SkalaContours, PiecesJoin) {
   const scene::HeightGrid grid = named("gauss", {24, 23});
   for (const double rotation : {0.0, 30.0, 100.0, 213.0}) {
@@ -174,7 +174,7 @@ TEST(SkalaContours, PiecesJoin) {
   }
 }
 
-// In one triangle colours come in the order of the levels.
+// In each triangle colours come in the order of the levels.
 TEST(SkalaContours, LevelsAscendBetweenCommits) {
   View view = contours;
   view.levels = 6;
@@ -194,7 +194,7 @@ TEST(SkalaContours, LevelsAscendBetweenCommits) {
 
 TEST(SkalaContours, ACellWithAHoleHasNoPieces) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  // Only the far right corner is missing: near margins and two edges of the far ones are left.
+  // Only the far right corner is undefined: near margins and two edges of the far margins remain.
   const auto lines = lines_of(contour_stream(grid_of({{0, 1}, {1, nan}}), contours));
   for (const Line& line : lines) EXPECT_EQ(line.by, Command::draw);
   EXPECT_EQ(lines.size(), 2U);

@@ -1,5 +1,6 @@
-// Families of slices as a rotated grid projects to, with random heights: a slice every `gap` of depth, each
-// shifted by the same number of columns, and the rims that join their ends.
+// Families of slices as a rotated grid projects to, with random heights: a slice every `gap` of depth, each shifted by the same
+// number of
+// columns, and the rims that join their ends.
 #pragma once
 
 #include <algorithm>
@@ -27,8 +28,7 @@ class SliceFamily {
     shift_ = dice_(-4, 4);
     const int room = 255 - (slices_ - 1) * std::abs(shift_);
     spacing_ = points_ > 1 ? dice_(0, room / (points_ - 1)) : 0;
-    // Two columns at least between the rims if they are not the same: steep segments know their depth to half
-    // a column.
+    // The rims are at least two columns apart if they differ: steep segments know their depth to half a column.
     if (points_ > 1 && shift_ != 0) spacing_ = std::max(spacing_, 2);
     const int used = (points_ - 1) * spacing_ + (slices_ - 1) * std::abs(shift_);
     left_ = dice_(0, 255 - used) + (shift_ < 0 ? -shift_ * (slices_ - 1) : 0);
@@ -44,8 +44,7 @@ class SliceFamily {
     for (int i = 0; i < points_; ++i) vertices.push_back(vertex(number, i, role));
     return begun(vertices);
   }
-  // Ends of all slices from left to right: the leading rim lies in columns that nearer slices have not
-  // reached.
+  // Ends of all slices from left to right: the leading rim is in columns that nearer slices do not reach.
   [[nodiscard]] std::vector<ChainVertex> rim(bool leading, SegmentRole role) const {
     std::vector<ChainVertex> vertices;
     for (int k = 0; k < slices_; ++k)
@@ -63,9 +62,9 @@ class SliceFamily {
     all.push_back({2, rim(false, slice_role)});
     return all;
   }
-  // A short segment on the surface halfway between a slice and the next, a column at least inside what they
-  // share: beyond that there are only rims, one drawn before all slices and one after them, whatever their
-  // depth. Empty if there is no such column.
+  // A short segment on the surface halfway between two consecutive slices, at least a column inside their common columns: beyond
+  // these there
+  // are only rims, one drawn before all slices and one after them, at any depth. Empty if there is no such column.
   [[nodiscard]] std::optional<Chain> piece(int behind_slice) {
     const int first = left_ + std::max(behind_slice * shift_, (behind_slice + 1) * shift_) + 1;
     const int last =
@@ -109,10 +108,10 @@ class SliceFamily {
       case 0: return dice_(0, 255);                              // cliffs everywhere
       case 1: return 90;                                         // flat
       case 2: return std::clamp(before + dice_(-3, 3), 0, 255);  // gentle
-      case 3: return nearer;                                     // coincident but for the shift
+      case 3: return nearer;                                     // equal except for the shift
       case 4: return std::clamp(nearer + dice_(-6, 7), 0, 255);  // rising towards the back
       case 5: return index % 7 == 3 ? 255 : dice_(0, 3);         // spikes of one sample
-      case 6: return dice_(0, 1) * 255;                          // between the borders of the screen
+      case 6: return dice_(0, 1) * 255;                          // at the borders of the screen
       default: return std::clamp(120 + (index / points_) * 2 - (index % points_) * dice_(0, 2), 0, 255);
     }
   }

@@ -1,4 +1,4 @@
-// Runs of Skala's program beside its native twin, for tests.
+// Runs Skala's program and its native twin together, for tests.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ inline TwinPicture twin_with_only(std::span<const std::uint8_t> stream, Device d
   return run_twin(stream, equipment);
 }
 
-// The same status, dots, movements and masks, and nothing a device would complain of.
+// The same status, dots, movements and masks, and no device errors.
 inline testing::AssertionResult same_as_twin(const MachinePicture& guest, const TwinPicture& twin,
                                              Device device) {
   if (!guest.ended) return testing::AssertionFailure() << "the program did not end";

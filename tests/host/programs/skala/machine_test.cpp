@@ -1,5 +1,6 @@
-// Skala's program on its machine: receipt over both links, several blocks, every status, what is measured,
-// and the plotters' movements against the twin's.
+// Skala's program on its machine: receipt over both links, several blocks, every status, the measurements, and the plotters'
+// movements
+// compared with the twin's.
 #include "host/programs/skala/machine.hpp"
 
 #include <gtest/gtest.h>
@@ -41,20 +42,20 @@ TEST(SkalaGuest, DrawsALine) {
   EXPECT_TRUE(guest.moves.empty());
 }
 
-TEST(SkalaGuest, DrawingTimeLeavesTheLinkOut) {
+TEST(SkalaGuest, DrawingTimeExcludesTheLink) {
   const auto bytes = stream_of("franke", {17, 9}, view_of(Subject::lines, 30));
   MachineOptions serial;
   serial.link = Link::serial;
   const auto fast = run_machine(resident_program(), bytes);
   const auto slow = run_machine(resident_program(), bytes, serial);
   EXPECT_EQ(fast.raster, slow.raster);
-  // 10 bits a byte at 9600 baud.
+  // 10 bits per byte at 9600 baud.
   EXPECT_GE(slow.total.count() - slow.drawing.count(), static_cast<std::int64_t>(bytes.size()) * 3125 - 3125);
   EXPECT_LT(fast.total.count() - fast.drawing.count(),
             static_cast<std::int64_t>(bytes.size()) * 400 + 20'000);
   EXPECT_GT(fast.drawing.count(), 100'000);
   EXPECT_LT(std::abs(fast.drawing.count() - slow.drawing.count()), 60'000)
-      << "but for the wait for the clear";
+      << "except the wait for the clear";
 }
 
 TEST(SkalaGuest, RunsAreRepeatable) {
@@ -92,8 +93,8 @@ TEST(SkalaGuest, PicturesOfSeveralBlocks) {
   }
 }
 
-// A block ends with the first command that leaves less than 800 bytes: here exactly 800 are left, or 799.
-TEST(SkalaGuest, TheBufferIsFullWhereTheSpecificationSays) {
+// A block ends with the first command that leaves less than 800 bytes: here exactly 800 remain, or 799.
+TEST(SkalaGuest, TheBufferIsFullAtTheSpecifiedSize) {
   for (const int filler : {0, 1}) {
     SkalaBytes bytes = picture().move(3, 4).draw(9, 4);
     const int wanted = static_cast<int>(buffer_bytes - buffer_reserve) + filler;
@@ -119,7 +120,7 @@ TEST(SkalaGuest, BadStreamsStopWithTheirStatus) {
   EXPECT_EQ(status_of(picture().send(Command::curve, {200, 57})), Status::argument_out_of_range);
 }
 
-TEST(SkalaGuest, AStreamWithoutEndIsGivenUp) {
+TEST(SkalaGuest, AStreamWithoutEndIsAborted) {
   MachineOptions options;
   options.t_state_limit = 1'000'000;
   const auto guest = run(picture().draw(5, 5), options);
@@ -128,7 +129,7 @@ TEST(SkalaGuest, AStreamWithoutEndIsGivenUp) {
   EXPECT_EQ(points_lit(guest), 0U);
 }
 
-TEST(SkalaGuest, ARunawayProgramIsGivenUp) {
+TEST(SkalaGuest, ARunawayProgramIsAborted) {
   Program program = resident_program();
   program.memory[program.labels.drawing] = 0xC3;  // JMP to itself
   program.memory[program.labels.drawing + 1U] = static_cast<std::uint8_t>(program.labels.drawing & 0xFF);
@@ -140,7 +141,7 @@ TEST(SkalaGuest, ARunawayProgramIsGivenUp) {
   EXPECT_GE(guest.total.count(), 500'000);
 }
 
-TEST(SkalaGuest, ADeviceThatIsNotThere) {
+TEST(SkalaGuest, AnAbsentDevice) {
   for (const Device asked : {Device::ef9365, Device::alt256, Device::calcomp}) {
     const Device there = asked == Device::ef9365 ? Device::alt256 : Device::ef9365;
     const auto bytes = picture(asked).draw(9, 9).end();
@@ -151,7 +152,7 @@ TEST(SkalaGuest, ADeviceThatIsNotThere) {
   }
 }
 
-TEST(SkalaGuest, PlottersMakeTheTwinsMovements) {
+TEST(SkalaGuest, PlottersMoveLikeTheTwin) {
   for (const Device device : {Device::calcomp, Device::minigraf}) {
     for (const Subject what : skala_pictures) {
       SCOPED_TRACE(testing::Message() << "device " << static_cast<int>(device) << ' '
@@ -167,7 +168,7 @@ TEST(SkalaGuest, PlottersMakeTheTwinsMovements) {
       EXPECT_EQ(work.steps_pen_down, twin.counts.steps_pen_down);
       EXPECT_EQ(work.steps_pen_up, twin.counts.steps_pen_up);
       EXPECT_GT(work.pen_lifts, 0U);
-      // A mark where the pen comes down and one a step: no movement is lost between program and paper.
+      // A mark where the pen comes down and one per step: no movement is lost between program and paper.
       EXPECT_EQ(guest.strokes.size(), work.pen_lifts + work.steps_pen_down);
       // The plotter is the slower one by far.
       const double plotter = core::in_seconds(work.time);
@@ -178,7 +179,7 @@ TEST(SkalaGuest, PlottersMakeTheTwinsMovements) {
   }
 }
 
-// The whole of an order: what is counted, the run without the test of visibility, and the same with the twin beside it.
+// A complete order: its counts, the run without the visibility test, and the same together with the twin.
 TEST(SkalaRun, AnOrderIsRunAndChecked) {
   for (const Subject subject : skala_pictures) {
     for (const Device device : {Device::ef9365, Device::calcomp}) {
@@ -219,11 +220,11 @@ TEST(SkalaRun, AProgramThatStopsIsAnError) {
   EXPECT_EQ(missing.error().kind, base::ErrorKind::program_failed);
 }
 
-TEST(SkalaGuest, PathsOfThePenGoFromLoweringToLifting) {
+TEST(SkalaGuest, PenPathsGoFromLoweringToLifting) {
   const auto guest =
       run(picture(Device::calcomp).move(2, 1).draw(5, 1).draw(5, 3).move(0, 0).draw(2, 2).end(),
           on(Device::calcomp));
-  EXPECT_TRUE(guest.strokes.empty()) << "kept without being asked for";
+  EXPECT_TRUE(guest.strokes.empty()) << "kept without a request";
   const std::vector<picture::PenPath> expected{{{{2, 1}, {5, 1}, {5, 3}}}, {{{0, 0}, {1, 1}}}};
   const auto paths = pen_paths(guest.moves);
   ASSERT_EQ(paths.size(), 2U);

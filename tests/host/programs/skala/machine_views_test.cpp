@@ -1,6 +1,6 @@
-// Skala's program against its native twin on pictures as a person asks for them: the eight functions from all
-// around, and the hard cases. Equal dots, equal masks, no device error; every shard prints the longest
-// drawing time without a limit.
+// Skala's program compared with its native twin on typical pictures: the eight functions from all sides, and the hard cases.
+// Equal dots,
+// equal masks, no device error; every shard prints the longest drawing time without a limit.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The order rule by what it is for: what is drawn later never lies nearer in the same vertical of the screen.
+// The order rule tested by its purpose: what is drawn later is never nearer in the same vertical line of the screen.
 #include <algorithm>
 #include <array>
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double rounding = 1e-9;
 
-// Every quadrant, its borders exactly and a little beside them.
+// Every quadrant, its borders exactly and slightly next to them.
 std::vector<double> rotations() {
   std::vector<double> result;
   for (int degrees = -360; degrees <= 360; degrees += 15) {
@@ -25,7 +25,7 @@ struct Depths {
   double far = -HUGE_VAL;
 };
 
-// What depths the polyline or closed outline of these vertices has at a screen x.
+// The depths of the polyline or closed outline of these vertices at a screen x.
 Depths depths_at(const std::vector<const Vertex*>& vertices, double x) {
   Depths depths;
   for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
@@ -55,7 +55,7 @@ TEST_P(SliceOrder, LaterSlicesAreFarther) {
         ASSERT_LE(slices[row][column - 1]->x, slices[row][column]->x) << rotation;
       }
     }
-    // Slices that are seen nearly end-on share no vertical but for rounding.
+    // Slices seen nearly end-on have no common vertical line except by rounding.
     if (slices[0].back()->x - slices[0].front()->x < 1e-3) continue;
     std::size_t shared = 0;
     for (std::size_t near = 0; near < order.rows; ++near) {
@@ -73,7 +73,7 @@ TEST_P(SliceOrder, LaterSlicesAreFarther) {
   }
 }
 
-TEST_P(SliceOrder, TheShiftIsTheWayTheSlicesMove) {
+TEST_P(SliceOrder, TheShiftHasTheDirectionOfTheSlices) {
   const scene::HeightGrid grid = stream_test::named("flat", {6, 5});
   for (const double rotation : rotations()) {
     const Projection projection(grid, {.rotation = rotation});
@@ -83,7 +83,7 @@ TEST_P(SliceOrder, TheShiftIsTheWayTheSlicesMove) {
       return projection.at(index.point, index.slice).x;
     };
     const double step = x(1, 0) - x(0, 0);
-    // Shifts too small to be seen may vanish in the fit.
+    // Shifts too small to be visible may vanish in the fit.
     EXPECT_TRUE(order.row_shift == 0 ? step == 0 : order.row_shift * step >= 0) << rotation;
     EXPECT_TRUE(std::abs(order.row_shift) < 1e-6 || step != 0) << rotation;
   }

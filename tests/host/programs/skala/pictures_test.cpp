@@ -1,4 +1,4 @@
-// The pictures of the demo, drawn by the emulated 8080, against approved ones, point for point.
+// The pictures of the demo, drawn by the emulated 8080, compared with approved ones, point by point.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -41,8 +41,7 @@ INSTANTIATE_TEST_SUITE_P(TheEight, SkalaPictures,
                                           testing::ValuesIn(skala_pictures)),
                          name_of);
 
-// Places between three dots of one contour in a row where nothing else is lit nearby: what makes a dashed
-// line of it.
+// Gaps between three dots of one contour in a row with nothing else lit nearby: they would make a dashed line of it.
 int gaps_in_contours(const core::Raster& raster) {
   const auto dot = [&](int x, int y) -> int {
     if (x < 0 || x > 255 || y < 0 || y > 255) return 0;

@@ -1,4 +1,4 @@
-// Where grid points come to lie: exact angles, the formulas of the projection, the fit and its hard cases.
+// The positions of grid points: exact angles, the formulas of the projection, the fit and its hard cases.
 #include "host/programs/skala/projection.hpp"
 
 #include <limits>
@@ -41,7 +41,7 @@ TEST(SineAndCosine, OfTheLibraryAndSymmetric) {
   EXPECT_EQ(sine_and_cosine(-1e-20).cosine, 1.0);
 }
 
-TEST(RasterCoordinate, RoundsHalvesUpAndForgivesTheLastBit) {
+TEST(RasterCoordinate, RoundsHalvesUpAndToleratesTheLastBit) {
   EXPECT_EQ(raster_coordinate(127.5), 128);
   EXPECT_EQ(raster_coordinate(std::nextafter(127.5, 0.0)), 128);
   EXPECT_EQ(raster_coordinate(127.4999), 127);
@@ -52,7 +52,7 @@ TEST(RasterCoordinate, RoundsHalvesUpAndForgivesTheLastBit) {
   EXPECT_EQ(raster_coordinate(-1e300), -(1 << 20));
 }
 
-// The formulas as written, with the library's sine and cosine.
+// The formulas as published, with the library's sine and cosine.
 TEST(SkalaProjection, FollowsTheFormulas) {
   const scene::HeightGrid grid = named("peaks", {9, 7});
   for (const double rotation : {0.0, 30.0, 135.0, 250.0, -20.0}) {
@@ -86,7 +86,7 @@ TEST(SkalaProjection, FollowsTheFormulas) {
   }
 }
 
-TEST(SkalaProjection, NoExtentLiesAt128) {
+TEST(SkalaProjection, ZeroExtentIsAt128) {
   const Projection flat(named("flat", {5, 4}), {.elevation = 0, .zoom = 3});
   EXPECT_EQ(flat.at(2, 2).row, 128);
   const Projection one(grid_of({{7.0}}), {.rotation = 33});
@@ -98,7 +98,7 @@ TEST(SkalaProjection, NoExtentLiesAt128) {
 }
 
 TEST(SkalaProjection, UndefinedHeightsDoNotScaleThePicture) {
-  // The left column and the far row are nowhere defined.
+  // The left column and the far row are undefined everywhere.
   const Projection projection(grid_of({{nan, 0, 1, 0}, {nan, 1, 0, 1}, {nan, nan, nan, nan}}), {});
   EXPECT_FALSE(projection.at(0, 0).defined);
   EXPECT_LT(projection.at(0, 0).column, 0);

@@ -1,4 +1,4 @@
-// A command stream taken apart again, and grids to make streams of.
+// Decodes command streams, and makes grids for them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ struct SentCommand {
   std::vector<int> arguments;
 };
 
-// Fails the test if the bytes are not whole commands, or do not end with the first END.
+// Fails the test if the bytes are not complete commands, or do not end with the first END.
 inline std::vector<SentCommand> decode(const std::vector<std::uint8_t>& bytes) {
   std::vector<SentCommand> commands;
   for (std::size_t i = 0; i < bytes.size();) {
@@ -57,10 +57,10 @@ struct Line {
   Place from;
   Place to;
   int colour = 0;
-  std::size_t chain = 0;  // how many COMMITs were before it
+  std::size_t chain = 0;  // number of COMMITs before it
 };
 
-// Every line of the stream in order; a dot is a line to the same place.
+// Every line of the stream in order; a dot is a line to the same point.
 inline std::vector<Line> lines_of(const std::vector<std::uint8_t>& bytes) {
   std::vector<Line> lines;
   Place pen;
@@ -108,7 +108,7 @@ inline scene::HeightGrid named(std::string_view name, scene::GridSize size) {
   return scene::sample(*scene::height_function(name), size);
 }
 
-// Rows of heights, the near one first; the range is their own.
+// Rows of heights, the near one first; with their own range.
 inline scene::HeightGrid grid_of(const std::vector<std::vector<double>>& rows) {
   scene::HeightGrid grid;
   grid.x = scene::even_positions(rows.front().size());

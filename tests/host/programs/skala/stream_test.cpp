@@ -1,4 +1,4 @@
-// Command streams: their bytes for pictures worked out by hand, and what holds for all of them.
+// Command streams: their bytes for pictures computed by hand, and laws that hold for all of them.
 #include "host/programs/skala/stream.hpp"
 
 #include <algorithm>
@@ -38,8 +38,9 @@ TEST(SkalaStream, OfAFlatSquare) {
   EXPECT_EQ(stream_of(named("flat", {2, 2}), {.visibility = false}, {Device::alt256}), alone);
 }
 
-// Rotated 45 degrees the square stands on a corner, the right rim continues the near edge, and the left one
-// comes last. With -45 degrees the left rim comes first.
+// Rotated by 45 degrees the square stands on a corner, the right rim continues the near edge, and the left rim comes last. With
+// -45
+// degrees the left rim comes first.
 TEST(SkalaStream, LeadingRimGoesWithTheNearSlice) {
   const Bytes right{0x0A, 0,   0x07, 0x05, 7,                                //
                     0x01, 0,   128,  0x02, 128, 0,   0x02, 255,  128, 0x06,  //
@@ -47,7 +48,7 @@ TEST(SkalaStream, LeadingRimGoesWithTheNearSlice) {
   Bytes stream = stream_of(named("flat", {2, 2}), {.rotation = -45});
   std::vector<Line> lines = lines_of(stream);
   ASSERT_EQ(lines.size(), 4U);
-  // -45: the eye sees the corner x = -1, z = -1 in front.
+  // -45: the corner x = -1, z = -1 is in front.
   EXPECT_EQ(lines[0].from, (Place{0, 128}));
   EXPECT_EQ(lines[0].to, (Place{128, 0}));
   EXPECT_EQ(lines[1].to, (Place{255, 128}));
@@ -68,7 +69,7 @@ TEST(SkalaStream, ConsecutiveColumnsAreACurve) {
   EXPECT_EQ(curves[0].arguments.size(), 258U);
   EXPECT_EQ(curves[0].arguments[0], 0);
   EXPECT_EQ(curves[0].arguments[1], 0);  // 256
-  // More points than columns: those in one dot are sent once.
+  // More points than columns: points on the same dot are sent once.
   EXPECT_EQ(stream_of(named("flat", {511, 2}), {}), stream_of(named("flat", {256, 2}), {}));
 }
 
@@ -77,7 +78,7 @@ TEST(SkalaStream, AHoleBreaksTheSliceAndItsRims) {
   const auto lines = lines_of(stream_of(grid, {}));
   std::vector<std::pair<Place, Place>> expected{
       {{0, 0}, {64, 0}},       {{191, 0}, {255, 0}},     {{255, 0}, {255, 128}},   {{255, 128}, {255, 255}},
-      {{64, 128}, {128, 128}}, {{255, 128}, {255, 128}},  // the dot beside the second hole
+      {{64, 128}, {128, 128}}, {{255, 128}, {255, 128}},  // the dot next to the second hole
       {{0, 255}, {64, 255}},   {{64, 255}, {128, 255}},  {{128, 255}, {191, 255}}, {{191, 255}, {255, 255}}};
   ASSERT_EQ(lines.size(), expected.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -113,7 +114,7 @@ TEST(SkalaShades, OfPlanes) {
   EXPECT_EQ(shades(grid_of({{2, 1, 0}, {2, 1, 0}})), std::vector<int>(6, 6));
   EXPECT_EQ(shades(grid_of({{0, 0}, {1, 1}})), std::vector<int>(4, 4));
   EXPECT_EQ(shades(grid_of({{5, 5}, {5, 5}})), std::vector<int>(4, 4));
-  // One-sided beside a hole; alone, as if level.
+  // One-sided next to a hole; an isolated point as if level.
   EXPECT_EQ(shades(grid_of({{0, 1, nan, 0, nan}})), (std::vector<int>{1, 1, 0, 4, 0}));
   for (const scene::HeightFunction& f : scene::height_functions()) {
     for (const int shade : shades(scene::sample(f, {33, 30}))) {
@@ -123,8 +124,8 @@ TEST(SkalaShades, OfPlanes) {
   }
 }
 
-// The slope is beyond the greatest double, or nothing divided by nothing.
-TEST(SkalaShades, OfCliffsAndOfPlacesThatCoincide) {
+// The slope exceeds the largest double, or is 0 divided by 0.
+TEST(SkalaShades, OfCliffsAndCoincidentPoints) {
   scene::HeightGrid grid = grid_of({{0, 1, 0}, {0, 1, 0}});
   for (const std::vector<double>& x : {std::vector<double>{-1, -1, 1}, std::vector<double>{0, 1e-320, 1},
                                        std::vector<double>{0, 1e-200, 1}}) {
@@ -134,7 +135,7 @@ TEST(SkalaShades, OfCliffsAndOfPlacesThatCoincide) {
   EXPECT_EQ(shades(grid).front(), 1) << "steeply up along x";
 }
 
-TEST(SkalaChain, CutsAtTheBorder) {
+TEST(SkalaChain, ClipsAtTheBorder) {
   const auto vertex = [](double x, double y) {
     return Vertex{x, y, raster_coordinate(x), raster_coordinate(y), 0, true};
   };
@@ -184,7 +185,7 @@ std::vector<View> views() {
   return result;
 }
 
-// In what masks or is masked, columns only grow or only fall between two COMMITs, moves included.
+// In lines that mask or are masked, columns only increase or only decrease between two COMMITs, including moves.
 void expect_monotone(const std::vector<Line>& lines, const std::string& what) {
   std::size_t chain = 0;
   int direction = 0;
@@ -216,7 +217,7 @@ TEST(SkalaStream, ChainsAreMonotoneAndAccepted) {
   }
 }
 
-TEST(SkalaStream, HolesAndZoomsAreMonotoneToo) {
+TEST(SkalaStream, HolesAndZoomsAreMonotone) {
   scene::HeightGrid grid = named("peaks", {13, 12});
   for (std::size_t i = 0; i < grid.heights.size(); i += 7) grid.heights[i] = nan;
   for (View view : views()) {
@@ -245,7 +246,7 @@ TEST(SkalaStream, TurningTheDataAndTheEyeTogetherGivesTheSameBytes) {
     View view{.family = Family::along_x, .rotation = 15.0 * turn};
     View other{.family = Family::along_z, .rotation = 15.0 * turn - 90};
     EXPECT_TRUE(same_dots(stream_of(grid, view), stream_of(turned, other))) << view.rotation;
-    // Slices seen end-on may come in either order, and so may cells beside each other.
+    // Slices seen end-on may come in either order, and so may cells next to each other.
     EXPECT_TRUE(turn % 12 == 6 || stream_of(grid, view) == stream_of(turned, other)) << view.rotation;
     if (turn % 6 == 0) continue;
     view.subject = other.subject = Subject::contours;
@@ -264,8 +265,8 @@ TEST(SkalaStream, TurningTheDataAndTheEyeTogetherGivesTheSameBytes) {
   }
 }
 
-// The same lines, less travel.
-TEST(SkalaStream, PlottersDrawThereAndBack) {
+// The same lines with less travel.
+TEST(SkalaStream, PlottersDrawInBothDirections) {
   const scene::HeightGrid grid = named("sinc", {33, 30});
   for (const Subject picture : {Subject::lines, Subject::surface, Subject::contours}) {
     const View view{.subject = picture, .rotation = 30, .silhouette = picture == Subject::contours};

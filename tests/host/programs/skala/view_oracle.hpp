@@ -1,4 +1,4 @@
-// A view as the host sends it and the twin draws it, compared with the column oracle.
+// A view that the host sends and the twin draws, compared with the column oracle.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 
 namespace sightline::programs::skala {
 
-// Without silhouettes, whose reach depends on more than depth.
+// Without silhouettes, whose extent depends on more than depth.
 inline core::Raster twin_raster(const scene::HeightGrid& grid, const View& view) {
   const auto drawn = run_twin(stream_of(grid, view));
   EXPECT_EQ(drawn.status, Status::complete);

@@ -1,4 +1,4 @@
-// What the parts of the program cost, as NOTES.md says: differences between runs of scenes that differ in one thing.
+// The cost of the parts of the program, as stated in NOTES.md: differences between runs of scenes that differ in one respect.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 namespace sightline::programs::stripes {
 namespace {
 
-// A rectangle of so many lines, parallel to the picture.
+// A rectangle of `lines` lines, parallel to the picture.
 SceneFace rectangle(int west, int east, int low, int lines, std::uint16_t z) {
   SceneFace face;
   const auto at = [](int dots) { return static_cast<std::uint16_t>(256 * dots); };
@@ -26,7 +26,7 @@ MachinePicture run(const ProjectedScene& scene, Computer stripes, Computer prior
   return picture.machine;
 }
 
-// As NOTES.md has them: T-states are exact, the notes round them to tens.
+// Compares with NOTES.md: T-states are exact, the notes round them to tens.
 void expect_cost(std::int64_t measured, std::int64_t said, const char* what) {
   EXPECT_LE(std::abs(measured - said), 5) << what;
 }

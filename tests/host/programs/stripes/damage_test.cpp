@@ -1,4 +1,4 @@
-// What the program does with streams that are damaged, on the machine itself: it says so and draws nothing.
+// Damaged streams on the machine: the program reports them and draws nothing.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ void expect_refused(const Bytes& stream, Status status, const std::string& name,
   EXPECT_TRUE(picture.machine.commands.empty()) << name;
 }
 
-TEST(StripesDamage, TheStreamsAreRight) {
+TEST(StripesDamage, TheStreamsAreCorrect) {
   for (const Output output : outputs)
     for (const Computer stripes : both)
       for (const Computer priority : both) {
@@ -52,7 +52,7 @@ TEST(StripesDamage, TheStreamsAreRight) {
       }
 }
 
-// Every byte, one bit and all bits of it.
+// Of every byte one bit, and all bits.
 TEST(StripesDamage, AChangedByteIsFound) {
   const Bytes right = stream_of({Output::raster, Computer::i8080, Computer::i8080});
   for (std::size_t at = 0; at < right.size(); ++at) {
@@ -86,7 +86,7 @@ TEST(StripesDamage, AStreamThatEndsEarlyIsFound) {
   expect_refused(Bytes(right.begin(), right.end() - 1), Status::link_silent, "all but one");
 }
 
-// The header, with right check sums.
+// Headers with correct check sums.
 TEST(StripesDamage, HeadersAreChecked) {
   const auto with = [](std::size_t at, std::uint8_t value) {
     Bytes bytes = stream_of({Output::raster, Computer::i8080, Computer::i8080});
@@ -100,7 +100,7 @@ TEST(StripesDamage, HeadersAreChecked) {
   expect_refused(framed(0, 1, Bytes(0x6801)), Status::too_large, "a body of 6801h bytes");
 }
 
-// Bodies, with right check sums: each with one thing that is not as it should be.
+// Bodies with correct check sums, each with one error.
 TEST(StripesDamage, RecordsAreChecked) {
   struct Change {
     const char* name;
@@ -152,7 +152,7 @@ TEST(StripesDamage, RecordsAreChecked) {
   EXPECT_EQ(run_both(framed(faces_are_stripes, 1, line_of(15))).machine.status, Status::complete);
 }
 
-// Any bytes in a right frame: the program ends, and as its twin does.
+// Random bytes in a correct frame: the program ends as its twin does.
 TEST(StripesDamage, AnyRecordsEnd) {
   constexpr std::uint32_t seed = 1985;
   Dice dice(seed);
@@ -179,7 +179,7 @@ TEST(StripesDamage, ADeviceMustAnswer) {
   }
 }
 
-// Combs whose teeth are next to each other: the silhouette has more ends in a line than there is room for.
+// Combs with adjacent teeth: the silhouette has more ends in a line than fit.
 ProjectedScene combs(int count) {
   ProjectedScene scene;
   for (int f = 0; f < count; ++f) {
@@ -210,15 +210,15 @@ std::string message_of(const ProjectedScene& scene, const StreamOptions& options
   return stream ? "" : stream.error().message();
 }
 
-// What does not fit is said before anything is sent: which part, and by how much.
-TEST(StripesDamage, WhatDoesNotFitIsSaid) {
+// Data that do not fit are reported before anything is sent: the part, and the excess.
+TEST(StripesDamage, WhatDoesNotFitIsReported) {
   ProjectedScene many;
   many.faces.resize(67, two_faces().faces[0]);
   EXPECT_EQ(message_of(many, {}), "faces: 67 faces are turned to the eye, 3 too many, expected at most 64 for the 8080");
   ProjectedScene large;
   large.faces.resize(64);
   for (SceneFace& face : large.faces) face.rings = {{{0, 0, 0}, {0xF000, 0, 0}, {0xF000, 0xFF00, 0}, {0, 0xFF00, 0}}};
-  // 64 faces of 255 lines of 3 bytes, 2 bytes and a head of 3; 26,624 bytes are free
+  // 64 faces of 255 lines of 3 bytes, 2 bytes and a head of 3; 26,624 bytes are free.
   EXPECT_EQ(message_of(large, {Output::raster, Computer::host, Computer::host}),
             "scene: 49280 bytes (49088 of stripes, 0 of polygons, 3 a face), 22656 too many, expected at most 26624 in the 8080's "
             "memory; let the 8080 make the stripes");

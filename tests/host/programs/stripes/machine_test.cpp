@@ -1,5 +1,6 @@
-// The program of stripes on the emulated 8080 against its native twin, dot for dot and step for step; what it needs of memory and time;
-// and the laws of its pictures.
+// The stripes program on the emulated 8080 compared with its native twin, dot for dot and step for step; its memory and time; and
+// the
+// laws of its pictures.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -21,10 +22,11 @@ using jones::Dice;
 constexpr double clock = 3e6;
 double seconds(core::TStates time) { return static_cast<double>(time.count()) / clock; }
 
-// All eight ways of a view; with the same priority list, the machine's picture is the same by stripes of the host and of the 8080.
+// All eight ways to draw a view; with the same priority list, the machine's picture is the same with stripes by the host and by
+// the 8080.
 void expect_twins(const scene::PolyScene& scene, const View& view, const std::string& name, bool with_plotter) {
   for (const Output output : outputs) {
-    if (output == Output::vector && !with_plotter) continue;  // minutes of the machine's time
+    if (output == Output::vector && !with_plotter) continue;  // minutes of emulated time
     for (const Computer priority : both) {
       std::array<MachinePicture, 2> ways;
       for (std::size_t k = 0; k < both.size(); ++k) {
@@ -41,7 +43,7 @@ void expect_twins(const scene::PolyScene& scene, const View& view, const std::st
   }
 }
 
-TEST(StripesGuest, IsItsTwinOnCommonScenes) {
+TEST(StripesGuest, EqualsItsTwinOnCommonScenes) {
   const auto names = compare::common_scene_names();
   for (std::size_t n = 0; n < names.size(); n += tests::effort(std::size_t{1}, std::size_t{2})) {
     const std::string_view name = names[n];
@@ -61,14 +63,14 @@ TEST(StripesGuest, IsItsTwinOnCommonScenes) {
   }
 }
 
-TEST(StripesGuest, IsItsTwinOnBuiltInScenes) {
+TEST(StripesGuest, EqualsItsTwinOnBuiltInScenes) {
   for (const char* name : {"house", "roberts", "street4", "corridor8"}) {
     const scene::PolyScene scene = scene_named(name);
     expect_twins(scene, whole_view(scene), name, true);
   }
 }
 
-TEST(StripesGuest, IsItsTwinOnGeneratedScenes) {
+TEST(StripesGuest, EqualsItsTwinOnGeneratedScenes) {
   const auto names = scene::generated_set();
   const std::size_t stride = tests::effort(std::size_t{5}, std::size_t{50});
   for (std::size_t k = 0; k < names.size(); k += stride) {
@@ -81,8 +83,9 @@ TEST(StripesGuest, IsItsTwinOnGeneratedScenes) {
   }
 }
 
-// Faces that no scene has: crossing themselves and each other, with planes that say anything. Cycles, cuts and lines that are too full
-// come up in passing.
+// Faces that no scene has: crossing themselves and each other, with arbitrary planes. They include cycles, cuts and lines that
+// are too
+// full.
 ProjectedScene random_faces(Dice& dice) {
   ProjectedScene scene;
   const int faces = dice(1, 24);
@@ -110,7 +113,7 @@ ProjectedScene random_faces(Dice& dice) {
   return scene;
 }
 
-TEST(StripesGuest, IsItsTwinOnRandomFaces) {
+TEST(StripesGuest, EqualsItsTwinOnRandomFaces) {
   constexpr std::uint32_t seed = 20261124;
   Dice dice(seed);
   const int scenes = tests::effort(96, 24);
@@ -134,8 +137,9 @@ TEST(StripesGuest, IsItsTwinOnRandomFaces) {
   }
 }
 
-// The drawing is the border lines between dots that show different faces, each drawn once: found here from the dots, walked here from the
-// plotter's commands.
+// The drawing consists of the border lines between dots of different faces, each drawn once: found here from the dots, and
+// followed here
+// from the plotter's commands.
 using Link = std::array<int, 3>;  // x, y of its lower or west end; 0 to the east, 1 up
 
 std::set<Link> borders_of(const std::vector<std::uint8_t>& items) {
@@ -195,7 +199,7 @@ TEST(StripesGuest, FitsInFourKilobytes) {
   EXPECT_EQ(data_room, 48U * 1024);
 }
 
-// 20 boxes that turn three faces each to the eye.
+// 20 boxes with three faces each towards the eye.
 TEST(StripesGuest, DrawsSixtyFacesInAMinute) {
   const scene::PolyScene scene = scene_named("boxes-20");
   for (const Output output : outputs) {

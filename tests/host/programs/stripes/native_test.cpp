@@ -1,7 +1,10 @@
-// The machine's picture against the native stripes of Montani and Re, one dot thick: the same corners on the same borders between
-// lines, the same edges between them. Only where a side passes a dot's middle within a 1/64 of a dot they may disagree: the machine
-// counts abscissas in 1/256 of a dot and adds at most 255 steps, each too short by less than 1/65536. Along edges that the host has made, of cuts and at the
-// window's border, they may disagree by a dot: there a corner is moved that the native algorithm does not have.
+// The machine's picture compared with Montani and Re's native stripes, one dot thick: the same corners on the same borders
+// between lines,
+// the same edges between them. They may differ where a side passes a dot's middle within 1/64 of a dot: the machine counts
+// abscissas in
+// 1/256 of a dot and adds at most 255 steps, each too short by less than 1/65536. They may differ by a dot along edges that the
+// host
+// has made, of cuts and at the window's border, because the native algorithm does not have such a corner.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +26,7 @@ picture::PixelGrid native_faces(const scene::PolyScene& scene, const View& view,
   return prepared->view(view.camera, window)->faces;
 }
 
-// The view by each way to find the priority.
+// The view with each way to determine the priority.
 void expect_native(const scene::PolyScene& scene, const View& view, const std::string& name,
                    std::initializer_list<Computer> priorities) {
   constexpr double margin = 1.0 / 64;
@@ -47,15 +50,16 @@ void expect_native(const scene::PolyScene& scene, const View& view, const std::s
   }
 }
 
-TEST(StripesNative, CommonScenesAreTheNativeOnes) {
+TEST(StripesNative, CommonScenesEqualTheNativeOnes) {
   for (const std::string_view name : {"C1", "C2", "C3", "C4", "C5", "C6", "C7", "C8", "C9"}) {
     const compare::CommonScene scene = compare::common_scene(name);
     const std::size_t views = tests::effort(scene.views.size(), std::size_t{1});
     for (std::size_t v = 0; v < views; ++v) {
       const std::string title = std::string(name) + ", view " + std::to_string(v);
       if (title == "C9, view 1") continue;  // 65 faces
-      // C7 has two faces that hide each other in different places, "unable to solve" in the paper (section 5, Figure 10) and on the
-      // 8080; the host cuts them.
+      // C7 has two faces that hide each other in different places, "unable to solve" in the paper (section 5, Figure 10) and on
+      // the 8080; the
+      // host cuts them.
       const bool figure_10 = name == "C7";
       figure_10 ? expect_native(scene.scene, common_view(scene.views[v]), title, {Computer::host})
                 : expect_native(scene.scene, common_view(scene.views[v]), title, {Computer::host, Computer::i8080});
@@ -63,7 +67,7 @@ TEST(StripesNative, CommonScenesAreTheNativeOnes) {
   }
 }
 
-TEST(StripesNative, GeneratedScenesAreTheNativeOnes) {
+TEST(StripesNative, GeneratedScenesEqualTheNativeOnes) {
   const auto names = scene::generated_set();
   for (std::size_t k = 0; k < names.size(); k += tests::effort(std::size_t{7}, std::size_t{70})) {
     const auto scene = *scene::generate_scene(names[k].family, names[k].size, names[k].seed);

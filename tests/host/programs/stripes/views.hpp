@@ -1,4 +1,4 @@
-// Scenes and views of the tests of stripes, and all ways to draw one.
+// Scenes and views for the tests of stripes, and all ways to draw one.
 #pragma once
 
 #include <array>
@@ -37,14 +37,14 @@ inline scene::PolyScene scene_named(const std::string& name) {
   return scene::load_scene(**file)->scene;
 }
 
-// A run beside its twin, whatever they end with.
+// A run and its twin's, with any status.
 struct CheckedPicture {
   MachinePicture machine;
   TwinPicture twin;
-  std::string difference;  // in pictures, or of complete ones in what is counted
+  std::string difference;  // between the pictures, or, for complete ones, between the counts
 };
 
-// Any bytes are taken; the device is the one that they ask for.
+// Accepts any bytes; they select the device.
 inline CheckedPicture run_both(std::span<const std::uint8_t> stream) {
   MachineOptions options;
   if (stream.size() >= header_bytes && (stream[header_bytes - 2] & vector_output) != 0) options.device = Device::calcomp;

@@ -1,4 +1,4 @@
-// The cost model of firmware/pdp7/turn/NOTES.md: the machine's time of every picture, from what the twin counts in it.
+// The cost model of firmware/pdp7/turn/NOTES.md: the machine's time for every picture, from the twin's counts.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -14,7 +14,7 @@
 namespace sightline::programs::turn {
 namespace {
 
-// Item -> microseconds with the EAE and without, from the table of the notes.
+// Item -> microseconds with and without the EAE, from the table in the notes.
 std::map<std::string, std::array<double, 2>> cost_table() {
   std::ifstream file(SIGHTLINE_SOURCE_DIR "/firmware/pdp7/turn/NOTES.md");
   std::map<std::string, std::array<double, 2>> table;
@@ -40,7 +40,7 @@ TEST(TurnCost, ModelPredictsEveryPicture) {
     for (const std::uint32_t wire : {0U, wire_switch}) {
       for (unsigned without = 0; without < 2; ++without) {
         PicturesOrder order;
-        // Another turn than the one that the table was fitted to, backwards.
+        // Not the turn to which the table was fitted, and backwards.
         const std::uint32_t switches = backward_switch | wire | 3001;
         order.pictures = pictures_of_turn(3001);
         order.switches = [switches](std::uint32_t) { return switches; };

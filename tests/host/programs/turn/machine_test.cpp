@@ -1,4 +1,4 @@
-// The program on the emulated PDP-7 against its native twin, word for word, and what it does with bad tapes.
+// The program on the emulated PDP-7 compared with its native twin, word for word; and damaged tapes.
 //
 // SIGHTLINE_TURNS=10 in the environment runs ten whole turns of every model in both directions, and 1,000 random sequences.
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ PicturesOrder at_speed(std::uint32_t switches, std::uint32_t pictures) {
   return order;
 }
 
-// "": every picture is its twin's.
+// Empty if every picture equals its twin's.
 std::string fault_of(const base::Result<Pictures>& run) { return run ? "" : run.error().message(); }
 
 void expect_twins(const std::string& name, Memory memory, bool tilted) {
@@ -33,7 +33,7 @@ void expect_twins(const std::string& name, Memory memory, bool tilted) {
   for (const bool eae : {true, false}) {
     const Program program = assemble_program(eae, memory);
     for (const std::uint32_t direction : {0U, backward_switch}) {
-      // Steps that do not divide a turn: every turn has other angles.
+      // Steps that do not divide a turn: every turn has different angles.
       const std::uint32_t step = turns() > 1 ? 1637 : tests::effort(4391U, 20011U);
       const auto run = run_pictures(program, model.tape, at_speed(direction | step, turns() * pictures_of_turn(step)));
       EXPECT_EQ(fault_of(run), "") << name << (eae ? " with" : " without") << " EAE";
@@ -43,18 +43,18 @@ void expect_twins(const std::string& name, Memory memory, bool tilted) {
   }
 }
 
-TEST(TurnGuest, IsItsTwinOverWholeTurns) {
+TEST(TurnGuest, EqualsItsTwinOverWholeTurns) {
   for (const std::string& name : {cube, block, crossed, lshape, star, std::string("roberts"), std::string("boxes-8")})
     expect_twins(name, Memory::words_8k, true);
 }
 
-TEST(TurnGuest, IsItsTwinIn32K) {
+TEST(TurnGuest, EqualsItsTwinIn32K) {
   expect_twins(block, Memory::words_32k, true);
   expect_twins(grid, Memory::words_32k, false);
 }
 
-// Random starts, speeds and switches: the first step goes anywhere.
-TEST(TurnGuest, IsItsTwinWhateverTheSwitchesSay) {
+// Random starts, speeds and switches: the first step may go anywhere.
+TEST(TurnGuest, EqualsItsTwinForAnySwitches) {
   const unsigned sequences = turns() > 1 ? 100 * turns() : tests::effort(24U, 5U);
   constexpr std::uint32_t seed = 20261124;
   Dice dice(seed);
@@ -67,7 +67,7 @@ TEST(TurnGuest, IsItsTwinWhateverTheSwitchesSay) {
       std::uint32_t switches = static_cast<std::uint32_t>(dice(0, 3) == 0 ? dice(1, 3) : dice(1, 32767));
       if (dice(0, 3) == 0) switches |= backward_switch;
       if (dice(0, 5) == 0) switches |= wire_switch;
-      // A rise of the switch for single events makes a picture; the picture before must not have it.
+      // When the switch for single events rises, a picture is made; it must be down in the picture before.
       if (dice(0, 3) == 0 && (script.empty() || (script.back() & single_switch) == 0)) switches |= single_switch;
       script.push_back(switches);
     }
@@ -79,7 +79,7 @@ TEST(TurnGuest, IsItsTwinWhateverTheSwitchesSay) {
   }
 }
 
-TEST(TurnGuest, StopsWhenTheSpeedIsNothing) {
+TEST(TurnGuest, StopsWhenTheSpeedIsZero) {
   const Tape& tape = turned(cube).tape;
   Machine machine(assemble_program(true, tape.memory), tape);
   Picture picture;
@@ -90,7 +90,7 @@ TEST(TurnGuest, StopsWhenTheSpeedIsNothing) {
   EXPECT_EQ(picture.angle, 64U);
 }
 
-// Positions depend on the angle alone: after a thousand turns there is the same picture.
+// Positions depend only on the angle: after a thousand turns the picture is the same.
 TEST(TurnGuest, DoesNotDrift) {
   const Tape& tape = turned(block).tape;
   constexpr std::uint32_t step = 1U << 14U;
@@ -105,7 +105,7 @@ TEST(TurnGuest, DoesNotDrift) {
   }
 }
 
-// The tape in the reader gives the picture that the same words in core give.
+// The tape in the reader gives the same picture as its words in core.
 TEST(TurnGuest, ReadsItsTape) {
   for (const Memory memory : {Memory::words_8k, Memory::words_32k}) {
     const Tape& tape = turned(cube, memory).tape;
@@ -119,7 +119,7 @@ TEST(TurnGuest, ReadsItsTape) {
   }
 }
 
-TEST(TurnGuest, RefusesADamagedTape) {
+TEST(TurnGuest, RejectsADamagedTape) {
   const Tape& tape = turned(cube).tape;
   const Program program = assemble_program(true, tape.memory);
   const base::Bytes whole = punch(tape);
@@ -127,7 +127,7 @@ TEST(TurnGuest, RefusesADamagedTape) {
   Dice dice(7);
   for (int n = 0; n < tests::effort(12, 3); ++n) {
     base::Bytes damaged = whole;
-    // Of a word of the model or its sum, one data hole; the count is another test.
+    // Changes one data hole of a word of the model or of its sum; the count has a separate test.
     damaged[static_cast<std::size_t>(dice(6, static_cast<int>(whole.size()) - 1))] ^= static_cast<std::uint8_t>(1U << dice(0, 5));
     Machine machine(program, damaged);
     EXPECT_FALSE(machine.next(0, picture, core::seconds(20)));
@@ -156,7 +156,7 @@ TEST(TurnGuest, RefusesADamagedTape) {
   }
 }
 
-TEST(TurnGuest, ShowsWhatAFullDisplayFileHolds) {
+TEST(TurnGuest, ShowsThePartThatFitsAFullDisplayFile) {
   Tape tape = turned(star).tape;
   constexpr std::uint32_t header_file_words = 11;
   tape.words[header_file_words] = core::Word18(60);
@@ -174,7 +174,7 @@ TEST(TurnGuest, ShowsWhatAFullDisplayFileHolds) {
   }
 }
 
-// Files of every size from too small for a line on: some pictures of a turn fit and some do not, and each has its own status.
+// Files of all sizes from too small for one line: some pictures of a turn fit and some do not, and each has its own status.
 TEST(TurnGuest, HasAStatusForEachPicture) {
   const Tape whole = turned(block).tape;
   bool mixed = false;
@@ -190,7 +190,7 @@ TEST(TurnGuest, HasAStatusForEachPicture) {
 }
 
 // Two display files instead of three: the same pictures, later.
-TEST(TurnGuest, DoesWithTwoDisplayFiles) {
+TEST(TurnGuest, WorksWithTwoDisplayFiles) {
   Tape tape = turned(block).tape;
   constexpr std::uint32_t header_files = 12;
   tape.words[header_files] = core::Word18(2);
@@ -202,7 +202,7 @@ TEST(TurnGuest, DoesWithTwoDisplayFiles) {
   EXPECT_LT(two->summary.frames_per_second_mean, three->summary.frames_per_second_mean);
 }
 
-// The goals: a turn in 8 seconds.
+// The goal: a turn in 8 seconds.
 TEST(TurnGuest, IsFastEnough) {
   NEEDS_OPTIMISED_CODE();
   struct Goal {

@@ -1,5 +1,6 @@
-// What the machine shows against what is there: the structure of every picture is that of hidden-line removal from nothing
-// at the machine's own angle, every line ends where the program's words can have it, and nothing flickers.
+// The machine's pictures compared with hidden-line removal: every structure equals that from scratch at the machine's own angle,
+// every
+// line ends where the program's words can place it, and nothing flickers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,8 +29,9 @@ namespace {
 
 namespace plantinga = algorithms::plantinga;
 
-// Where an angle of the machine is to a direction, exactly: fractions of 90 bits on both sides of the word's angle decide it. Directions
-// of events have degree one or two: none is that near to a word without being it, and then it is a multiple of an eighth of a right angle.
+// Compares an angle of the machine with a direction, exactly: fractions of 90 bits on both sides of the word's angle decide it.
+// Directions of
+// events have degree one or two: one that near to a word equals it, and is then a multiple of an eighth of a right angle.
 int word_to_direction(std::uint32_t word, const plantinga::Direction& direction) {
   const auto at = static_cast<std::int64_t>(word) - (word > 1U << 17U ? 1 << 18 : 0);
   // Half turns are both ends of the range of angles.
@@ -52,7 +54,8 @@ int word_to_direction(std::uint32_t word, const plantinga::Direction& direction)
   return low == high ? low : 0;
 }
 
-// A direction between the same two events as an angle of the machine, by exact order; none if all such have long numbers.
+// A direction between the same two events as an angle of the machine, by exact order; nothing if all such directions have long
+// numbers.
 std::optional<plantinga::Sight> sight_of_word(const plantinga::EventList& list, std::uint32_t word) {
   const auto next = std::find_if(list.events.begin(), list.events.end(),
                                  [word](const plantinga::Event& event) { return word_to_direction(word, event.direction) < 0; });
@@ -61,7 +64,7 @@ std::optional<plantinga::Sight> sight_of_word(const plantinga::EventList& list, 
   return plantinga::sight_between(before.direction, after.direction);
 }
 
-// State of every slot by hidden-line removal from nothing.
+// The state of every slot by hidden-line removal from scratch.
 std::vector<std::uint32_t> states_from_nothing(const TurnedModel& of, const plantinga::Sight& sight,
                                                const std::vector<std::vector<plantinga::Occluder>>& occluders) {
   std::vector<plantinga::EdgeStructure> structures;
@@ -86,7 +89,7 @@ std::vector<std::uint32_t> states_from_nothing(const TurnedModel& of, const plan
   return states;
 }
 
-TEST(TurnStructure, IsThatOfTheMachinesOwnAngle) {
+TEST(TurnStructure, EqualsThatFromScratchAtTheMachinesAngle) {
   for (const std::string& name : {cube, block, crossed, lshape, star}) {
     const TurnedModel& of = turned(name);
     std::vector<std::vector<plantinga::Occluder>> occluders;
@@ -107,20 +110,20 @@ TEST(TurnStructure, IsThatOfTheMachinesOwnAngle) {
         for (std::uint32_t s = 0; s < expected.size(); ++s)
           ASSERT_EQ(machine.peek(slots + 4 * s).value(), expected[s]) << name << " angle " << shown.angle << " slot " << s;
       }
-      // All but those between two events that are no 2^-40 apart.
+      // All except those between two events less than 2^-40 apart.
       EXPECT_GE(compared + 1, static_cast<int>(pictures_of_turn(step))) << name;
     }
   }
 }
 
-// Every event is at the first word that is not before it.
+// Every event takes effect at the first word that is not before it.
 TEST(TurnStructure, EventsAreAtTheirWordsExactly) {
   for (const std::string& name : {cube, block, crossed, lshape, star, std::string("boxes-8")}) {
     const TurnedModel& of = turned(name);
     for (const plantinga::Event& event : of.list.events) {
       const std::uint32_t word = event_word(event.direction);
       ASSERT_GE(word_to_direction(word, event.direction), 0) << name << " word " << word;
-      // Before the first angle of the list there is none.
+      // There is no event before the first angle of the list.
       if (word != (1U << 17U) + 1) {
         ASSERT_LT(word_to_direction((word - 1) & 0777777U, event.direction), 0) << name << " word " << word;
       }
@@ -128,7 +131,7 @@ TEST(TurnStructure, EventsAreAtTheirWordsExactly) {
   }
 }
 
-// Another algorithm, of this computer: which parts of every edge are seen.
+// An independent algorithm on this computer: the visible parts of every edge.
 TEST(TurnStructure, IsThePictureOfTheExactAlgorithm) {
   for (const std::string& name : {block, crossed, lshape, star}) {
     const TurnedModel& of = turned(name);
@@ -139,7 +142,7 @@ TEST(TurnStructure, IsThePictureOfTheExactAlgorithm) {
     for (std::uint32_t k = 0; k < tests::effort(60U, 6U); ++k) {
       ASSERT_TRUE(twin.next(4391, picture));
       const double angle = radians(picture.angle);
-      // Cameras are below 2^15: within 2^-15 of the angle.
+      // Camera vectors are below 2^15: within 2^-15 of the angle.
       const bool near_event = std::any_of(of.list.events.begin(), of.list.events.end(), [angle](const auto& event) {
         return std::abs(std::remainder(event.direction.angle - angle, 2 * std::numbers::pi)) < 1e-4;
       });
@@ -176,7 +179,7 @@ TEST(TurnStructure, IsThePictureOfTheExactAlgorithm) {
 
 using Points = std::vector<std::array<int, 2>>;
 
-// Where the beam is after each word of a display file that moves it; a beginning of lines too.
+// The beam's position after each word of a display file that moves it, including the starts of lines.
 Points corners_of(const std::vector<core::Word18>& file) {
   Points corners;
   int x = 0;
@@ -200,9 +203,10 @@ Points corners_of(const std::vector<core::Word18>& file) {
   return corners;
 }
 
-// Ends of pieces in doubles, along the exact structure: each must be a corner of the display file, as near as the program's words
-// explain for this end.
-TEST(TurnStructure, EndsAreWhereTheWordsCanHaveThem) {
+// Ends of pieces in doubles, along the exact structure: each must be a corner of the display file, within the error that the
+// program's
+// words explain for this end.
+TEST(TurnStructure, EndsAreWithinThePrecisionOfTheWords) {
   for (const std::string& name : {cube, block, crossed, lshape, star}) {
     const TurnedModel& of = turned(name);
     Twin twin(of.tape.words, model_base(of.tape.memory));
@@ -275,7 +279,7 @@ TEST(TurnPrecision, RotationIsWithinItsBound) {
 }
 
 // Every vector word of the display, pulse by pulse.
-TEST(TurnPrecision, BeamWandersWithinItsBound) {
+TEST(TurnPrecision, TheBeamStaysWithinItsBound) {
   double worst = 0;
   for (unsigned dx = 0; dx < 128; ++dx) {
     for (unsigned dy = 0; dy < 128; ++dy) {
@@ -325,7 +329,7 @@ std::vector<bool> raster_of(const std::vector<core::Word18>& file) {
   return lit;
 }
 
-// Lit points of one picture farther than `reach` from every lit point of the other.
+// The number of lit points of one picture that are farther than `reach` from every lit point of the other.
 int strangers(const std::vector<bool>& one, const std::vector<bool>& other, int reach) {
   int count = 0;
   for (int y = 0; y < 1024; ++y)
@@ -340,8 +344,9 @@ int strangers(const std::vector<bool>& one, const std::vector<bool>& other, int 
   return count;
 }
 
-// At an event a piece comes where another line is, or from no length; so no point of a picture is farther from the picture
-// before than what moves: a point a step at the rim, and a rounding at each end.
+// At an event a piece appears on another line or with length zero. So no point of a picture is farther from the picture before
+// than the
+// motion explains: a point per step at the rim, and a rounding at each end.
 TEST(TurnStructure, NothingFlickersAtEvents) {
   NEEDS_OPTIMISED_CODE();
   for (const std::string& name : {block, star}) {
@@ -353,7 +358,7 @@ TEST(TurnStructure, NothingFlickersAtEvents) {
     ASSERT_TRUE(twin.next(step, picture));
     std::vector<bool> before = raster_of(picture.display_file);
     int events = 0;
-    // Far places of the turn, around events.
+    // Distant parts of the turn, around events.
     for (int k = 0; k < (turns() > 1 ? 3000 : 80); ++k) {
       ASSERT_TRUE(twin.next(step, picture));
       events += static_cast<int>(picture.events);

@@ -1,4 +1,4 @@
-// What is on the tape, and which models have none.
+// The contents of the tape, and models that have none.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ TEST(TurnTape, EventsAreRoundedUpAndExactOnesAreNot) {
   EXPECT_EQ(event_word(plantinga::rational_direction(-1, 1)), 7U << 15U);
 }
 
-TEST(TurnTape, SumOfAllWordsIsNothing) {
+TEST(TurnTape, SumOfAllWordsIsZero) {
   const Tape& tape = turned(star).tape;
   core::Word18 sum(static_cast<std::uint32_t>(tape.words.size()));
   for (const core::Word18 word : tape.words) sum = sum + word;
@@ -52,9 +52,10 @@ TEST(TurnTape, LayoutAddsUp) {
   EXPECT_EQ(turned(block).tape.edges, 24U);
 }
 
-// The bytes of a tape read by another way, from section 2 of the specification alone: what its words say of every vertex, edge and T-junction is
-// where these are on the screen, by plain geometry in doubles.
-TEST(TurnTape, PunchedWordsSayWhereEverythingIs) {
+// The bytes of a tape decoded independently, from section 2 of the specification alone: what its words say of every vertex, edge
+// and
+// T-junction must be their position on the screen, by plain geometry in doubles.
+TEST(TurnTape, PunchedWordsGiveThePositions) {
   for (const std::string& name : {block, crossed, lshape, star, std::string("boxes-8")}) {
     const TurnedModel& of = turned(name);
     const base::Bytes bytes = punch(of.tape);
@@ -80,7 +81,7 @@ TEST(TurnTape, PunchedWordsSayWhereEverythingIs) {
       return (at(address) - 65535.5) * std::cos(turn) + (at(address + 1) - 65535.5) * std::sin(turn);
     };
     const auto& vertices = of.scene.vertices;
-    // Which vertex of the scene each of the tape is: that with its three coordinates.
+    // The vertex of the scene for each vertex on the tape: the one with its three coordinates.
     const auto [low, high] = std::minmax_element(vertices.begin(), vertices.end(), [](const auto& a, const auto& b) { return a[1] < b[1]; });
     const double middle = ((*low)[1] + (*high)[1]) / 2.0;
     double most = 0;
@@ -137,7 +138,7 @@ TEST(TurnTape, PunchedWordsSayWhereEverythingIs) {
       }
     }
     EXPECT_GT(compared, 100U) << name;
-    // Events ascend once round, and each has a first and a last change.
+    // Events ascend through one turn, and each has a first and a last change.
     std::int64_t before = -1;
     for (std::uint32_t event = at(base + 7); event < at(base + 8);) {
       const std::int64_t turned_on = (at(event) + 0377777U) & 0777777U;  // 400001 is the first
@@ -153,8 +154,8 @@ TEST(TurnTape, PunchedWordsSayWhereEverythingIs) {
   }
 }
 
-// Exclusive-ored all round, the changes leave every state as it was.
-TEST(TurnTape, AWholeTurnOfChangesIsNone) {
+// The exclusive or of all changes of a turn leaves every state unchanged.
+TEST(TurnTape, AWholeTurnOfChangesCancels) {
   for (const std::string& name : {cube, block, crossed, lshape, star}) {
     const Tape& tape = turned(name).tape;
     const std::uint32_t base = model_base(tape.memory);
@@ -171,7 +172,7 @@ TEST(TurnTape, AWholeTurnOfChangesIsNone) {
   }
 }
 
-TEST(TurnTape, SaysByHowManyWordsAModelIsTooLarge) {
+TEST(TurnTape, ReportsTheExcessWordsOfAModel) {
   const plantinga::RotationModel model(*stand_on_axis(scene_named(grid), false));
   const auto list = plantinga::build_event_list(model);
   const auto small = encode(model, *list, Memory::words_8k);
@@ -183,7 +184,7 @@ TEST(TurnTape, SaysByHowManyWordsAModelIsTooLarge) {
   EXPECT_TRUE(encode(model, *list, Memory::words_32k));
 }
 
-TEST(TurnTape, RefusesWhatTiltingMakesTooLarge) {
+TEST(TurnTape, RejectsModelsThatTiltingMakesTooLarge) {
   scene::PolyScene scene = scene_named(cube);
   for (auto& vertex : scene.vertices)
     for (auto& coordinate : vertex) coordinate *= 300;

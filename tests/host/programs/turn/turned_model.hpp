@@ -1,4 +1,4 @@
-// Models that turn, with their events and tapes, made once for a test program.
+// Turning models with their events and tapes, made once per test program.
 #pragma once
 
 #include <cstdlib>
@@ -51,7 +51,7 @@ inline const std::string lshape = "host/examples/turn/lshape.json";
 inline const std::string star = "host/examples/turn/star.off";
 inline const std::string grid = "tests/data/models/grid.off";
 
-// How much of a long test is run: SIGHTLINE_TURNS in the environment, 1 by default.
+// The factor for long tests: SIGHTLINE_TURNS in the environment, 1 by default.
 inline unsigned turns() {
   const char* asked = std::getenv("SIGHTLINE_TURNS");
   return asked == nullptr ? 1U : static_cast<unsigned>(std::atoi(asked));

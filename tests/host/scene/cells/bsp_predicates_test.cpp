@@ -1,4 +1,4 @@
-// The side of a meeting point against points of integers, through which planes are laid at will.
+// The side of a meeting point, compared with integer points through which random planes are placed.
 #include "host/scene/cells/bsp/predicates.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ TEST_F(MeetingTest, IsWhereTheCommonPointIs) {
     const Plane c = random_plane(point, limit);
     if (geometry::determinant(a.normal, b.normal, c.normal) == 0) continue;
     Plane plane = random_plane(i % 3 == 0 ? point : random_point(), limit);
-    plane.offset += i % 5 - 2;  // just beside it
+    plane.offset += i % 5 - 2;  // just next to it
     EXPECT_EQ(side_of_meeting(plane, a, b, c), plane.side(point)) << i;
     EXPECT_EQ(side_of_meeting(plane, c, b, a), plane.side(point)) << i;
     const auto found = integer_meeting(a, b, c);
@@ -51,7 +51,7 @@ TEST_F(MeetingTest, IsWhereTheCommonPointIs) {
   }
 }
 
-// Three planes moved by one unit from a common point meet beside it, as far as Cramer's rule says.
+// Three planes, moved by one unit from a common point, meet near it, by Cramer's rule.
 TEST_F(MeetingTest, TellsPointsBetweenIntegers) {
   const Plane x{{2, 0, 0}, 7};
   const Plane y{{0, 3, 0}, -10};

@@ -1,5 +1,6 @@
-// A scene and the complex that is made of it by BSP, questioned by random points and straight lines: which
-// cells and solids a point is in, which cells, openings and faces a line meets.
+// Tests a scene and its complex made by BSP with random points and straight lines: which cells and solids a point is in, and
+// which cells,
+// openings and faces a line meets.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +36,7 @@ class Prober {
     return p;
   }
 
-  // How many cells have the point inside; empty if it is on the surface of one.
+  // The number of cells that contain the point; nothing if it is on the surface of one.
   [[nodiscard]] std::optional<int> cells_with(const PolyPoint& p) const {
     int count = 0;
     for (const ComplexCell& cell : complex_.cells) {
@@ -50,8 +51,7 @@ class Prober {
     return count;
   }
 
-  // How many solids the point is in, by a line to somewhere beyond the box; empty if the line is a special
-  // one.
+  // The number of solids that contain the point, by a line to a point outside the box; nothing if the line is degenerate.
   [[nodiscard]] std::optional<int> solids_with(const PolyPoint& p) {
     PolyPoint far = random_point();
     far[1] = complex_.outer.high[1];
@@ -76,7 +76,7 @@ class Prober {
     return passages;
   }
 
-  // Openings between the cells through which the segment passes at s.
+  // The number of openings between the cells through which the segment passes at s.
   [[nodiscard]] int openings_at(const Segment& segment, CellNumber a, CellNumber b, const Rational& s) const {
     int count = 0;
     for (const std::uint32_t number : complex_.openings_of(complex_.cells[a])) {
@@ -93,7 +93,7 @@ class Prober {
     return count;
   }
 
-  // How many faces the segment crosses; empty if it meets one at its rim.
+  // The number of faces that the segment crosses; nothing if it meets a boundary.
   [[nodiscard]] std::optional<int> faces_met(const Segment& segment) const {
     int count = 0;
     for (const SceneTriangle& triangle : triangles_) {

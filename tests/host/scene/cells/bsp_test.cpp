@@ -1,5 +1,6 @@
-// Decomposition by BSP: cells hold exactly the free points, straight lines pass from cell to cell through
-// one opening or are stopped by a face, lines are where edges touch cells.
+// Decomposition by BSP: cells contain exactly the free points, straight lines pass from cell to cell through one opening or are
+// stopped by
+// a face, and lines are where edges touch cells.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,8 +32,9 @@ PolyScene model(const std::string& name) {
   return read_poly(text, name, PolyFormat::off)->scene;
 }
 
-// Solids that reach into each other and stand in each other, one with a cavity, and a sheet with a window
-// across them and beside them: nothing a checked scene may not be.
+// Overlapping and nested solids, one with a cavity, and a sheet with a window across them and next to them: everything that a
+// checked
+// scene may contain.
 PolyScene tangled() {
   PolyBuilder builder;
   builder.add_box("first", {0, 0, 0}, {4000, 3000, 2000});
@@ -58,8 +60,7 @@ PolyScene tangled() {
   return scene;
 }
 
-// Triangles through each other, as large as coordinates may be: the longest planes there are, and corners far
-// from integers.
+// Triangles through each other at the coordinate limit: the planes with the largest coefficients, and corners far from integers.
 PolyScene crossed() {
   std::mt19937 random(11);
   std::uniform_int_distribution<std::int32_t> coordinate(2 - poly_coordinate_limit,
@@ -74,15 +75,14 @@ PolyScene crossed() {
   return builder.take();
 }
 
-// Small ones are made larger, for tests that look for points that are not special.
+// Enlarges small scenes, for tests that need points in general position.
 PolyScene enlarged(PolyScene scene, std::int32_t factor) {
   for (PolyPoint& p : scene.vertices)
     for (std::int32_t& c : p) c *= factor;
   return scene;
 }
 
-// Small enough to be questioned for every cell; of cubes that touch each other half are taken out, for
-// lines to pass.
+// Small enough to test every cell; half of the touching cubes are removed, so that lines can pass.
 PolyScene scene_named(const std::string& name) {
   if (name == "tangled") return tangled();
   if (name == "crossed") return crossed();
@@ -95,7 +95,7 @@ PolyScene scene_named(const std::string& name) {
   return family == "bricks" ? enlarged(std::move(scene), 1000) : scene;
 }
 
-TEST(DecomposeBsp, IsTriedOnPossibleScenes) {
+TEST(DecomposeBsp, IsTestedOnValidScenes) {
   EXPECT_TRUE(check_poly_scene(tangled()).empty());
   EXPECT_TRUE(check_poly_scene(crossed()).empty());
 }
@@ -118,8 +118,7 @@ TEST_P(DecomposeBspTest, EveryFreePointIsInOneCell) {
   EXPECT_GT(tested, 20);
 }
 
-// A line goes from cell to cell without a gap through just one opening each time, if it meets no face
-// between.
+// If it meets no face, a line passes from cell to cell without a gap, each time through exactly one opening.
 TEST_P(DecomposeBspTest, StraightLinesPassThroughOpenings) {
   int passed = 0;
   for (int i = 0; i < 200; ++i) {
@@ -195,14 +194,14 @@ std::string problems_of(const PolyScene& scene, const BspOptions& options = {}) 
   return text;
 }
 
-TEST(DecomposeBsp, MakesPossibleComplexes) {
+TEST(DecomposeBsp, MakesValidComplexes) {
   for (const char* name : {"boxes:30", "edgeon:27", "touch:2", "aligned:3", "town:25", "triangles:16",
                            "bricks:12", "rooms:4", "grid.off", "tori.off", "tangled", "crossed"}) {
     EXPECT_EQ(problems_of(scene_named(name)), "") << name;
   }
 }
 
-TEST(DecomposeBsp, MakesPossibleComplexesOfLeavesThatAreNotJoined) {
+TEST(DecomposeBsp, MakesValidComplexesWithoutJoiningLeaves) {
   BspOptions apart;
   apart.join = false;
   for (const char* name : {"town:16", "rooms:3", "squares.off", "tangled", "crossed"}) {
@@ -227,8 +226,8 @@ TEST(DecomposeBsp, IsTheSameEachTime) {
   EXPECT_EQ(first.opening_numbers, second.opening_numbers);
 }
 
-// Around a block of cubes that touch face to face there is no more to cut than around one box.
-TEST(DecomposeBsp, JoinsWhatIsConvexTogether) {
+// Around a block of cubes that touch face to face there are no more cuts than around one box.
+TEST(DecomposeBsp, JoinsCellsWhoseUnionIsConvex) {
   EXPECT_EQ(decompose_bsp(generate_boxes(1))->cells.size(), 6U);
   EXPECT_EQ(decompose_bsp(generate_touch(3))->cells.size(), 6U);
   BspOptions apart;
@@ -236,7 +235,7 @@ TEST(DecomposeBsp, JoinsWhatIsConvexTogether) {
   EXPECT_GT(decompose_bsp(generate_touch(3), apart)->cells.size(), 6U);
 }
 
-TEST(DecomposeBsp, NamesWhatStopsIt) {
+TEST(DecomposeBsp, NamesTheLimitThatStopsIt) {
   const auto empty = decompose_bsp(PolyScene{});
   EXPECT_EQ(empty.error().found, "found no face");
   const auto large = decompose_bsp(generate_boxes(10), {.most_leaves = 20});

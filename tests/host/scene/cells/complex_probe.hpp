@@ -1,5 +1,6 @@
-// A complex questioned from outside, by points and straight lines through it, with arithmetic of its own:
-// checks of a decomposition without knowing how it was made.
+// Tests a complex from outside, by points and straight lines through it, with independent arithmetic: checks of a decomposition
+// without
+// knowledge of the algorithm.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +25,7 @@ struct Segment {
   PolyPoint to{};
 };
 
-// Where a segment is in an interval of its parameter.
+// The position of a segment in an interval of its parameter.
 struct Stretch {
   Rational low{0};
   Rational high{1};
@@ -73,8 +74,9 @@ inline std::vector<SceneTriangle> triangles_of(const PolyScene& scene) {
   return triangles;
 }
 
-// 1: the segment goes through the triangle against the way it faces, into a solid; -1: out of one; 0: it
-// misses it. Empty if it touches the rim or the plane, so that hardly anything can be said.
+// 1: the segment crosses the triangle against its normal, into a solid; -1: out of one; 0: it misses the triangle. Nothing if it
+// touches
+// the boundary or the plane, where the result is uncertain.
 inline std::optional<int> crossing(const SceneTriangle& triangle, const Segment& segment) {
   const auto& [a, b, c] = triangle.corners;
   const int from = geometry::sign(geometry::orientation(a, b, c, segment.from));

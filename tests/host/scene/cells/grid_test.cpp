@@ -1,4 +1,4 @@
-// Decomposition by grid and by hand: what comes out is possible, fills space and names every edge.
+// Decomposition by grid and by hand: the result is valid, fills space and names every edge.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ PolyScene boxes(const std::vector<std::pair<PolyPoint, PolyPoint>>& places) {
   return builder.take();
 }
 
-// Cells of the hand-made scenes as the paper has them.
+// The cells of the hand-made scenes, as in the paper.
 TEST(DecomposeGrid, BuiltInScenes) {
   const std::map<std::string, std::size_t> expected{
       {"house", 3}, {"roberts", 12}, {"corridor8", 8}, {"corridor32", 32}};
@@ -88,18 +88,18 @@ TEST(DecomposeGrid, ABoxIsSixCells) {
   const auto to_outside = std::count_if(complex.openings.begin(), complex.openings.end(), [](const auto& o) {
     return o.cells[0] == outside || o.cells[1] == outside;
   });
-  // Below and above: 5 faces each, before and behind, left and right as they grew.
+  // Below and above: 5 faces each; in front and behind, left and right: as they grew.
   EXPECT_GE(to_outside, 6 + 4);
 }
 
-// Doors and hatches need no planes of their own.
+// Doors and hatches need no additional planes.
 TEST(DecomposeGrid, ARoomIsNineUnits) {
   const PolyScene scene = generate_rooms(1);
   EXPECT_FALSE(why_no_grid(scene, {9}));
   const auto refused = why_no_grid(scene, {8});
   ASSERT_TRUE(refused);
   EXPECT_NE(refused->found.find("3 x 3 x 1"), std::string::npos) << refused->found;
-  // But a wall's door is cut out of what the wall leaves free.
+  // But a wall's door is cut out of the space that the wall leaves free.
   const auto cut = decompose_grid(scene, {9});
   ASSERT_FALSE(cut);
   EXPECT_EQ(cut.error().place, "x = 0");
@@ -167,7 +167,7 @@ TEST(DecomposeGrid, WhatIsNotParallelToTheAxesIsNamed) {
   EXPECT_NE(why_no_grid(flat.scene())->found.find("side"), std::string::npos);
 }
 
-// Boxes that do not touch: all of every edge is on some cell.
+// Boxes that do not touch: every edge is completely on cells.
 TEST(DecomposeGrid, EdgesAreCovered) {
   const PolyScene scene = generate_boxes(30, 3);
   const CellComplex complex = grid(scene);
@@ -183,8 +183,8 @@ TEST(DecomposeGrid, EdgesAreCovered) {
   }
 }
 
-// Of a building of more rows than are gone through at once, in which walls lie on two such bands.
-TEST(DecomposeGrid, LinesStandByEdge) {
+// A building of more rows than one band, with walls in both bands.
+TEST(DecomposeGrid, LinesAreIndexedByEdge) {
   const auto cut = decompose_grid(generate_big_rooms(130));
   const CellComplex& complex = *cut;
   std::size_t unordered = 0;
@@ -198,7 +198,7 @@ TEST(DecomposeGrid, LinesStandByEdge) {
   EXPECT_EQ(lines, complex.lines.size());
 }
 
-TEST(FreeRectangles, CoverWhatIsFreeOnce) {
+TEST(FreeRectangles, CoverFreeSpaceOnce) {
   SceneRandom random(11);
   FreeRectangles free;
   for (int round = 0; round < 200; ++round) {

@@ -43,7 +43,7 @@ class CheckComplex : public ::testing::Test {
   }
 };
 
-TEST_F(CheckComplex, TheWholeIsFaultless) {
+TEST_F(CheckComplex, TheUnchangedComplexHasNoErrors) {
   EXPECT_TRUE(check_complex(good_, scene_).empty());
 }
 
@@ -79,7 +79,7 @@ TEST_F(CheckComplex, Openings) {
   });
   expect(opening, "on that side",
          [&](CellComplex& c) { std::swap(c.openings[o].cells[0], c.openings[o].cells[1]); });
-  // A side pushed out to beyond the outer box.
+  // Moves a side beyond the outer box.
   expect(opening, "goes beyond cell", [&](CellComplex& c) {
     geometry::Plane far = c.planes[c.sides[side].plane];
     far.offset += c.sides[side].turned ? -5000 : 5000;
@@ -126,7 +126,7 @@ TEST_F(CheckComplex, CellsAndLines) {
   });
 }
 
-// Lists the openings by cell again.
+// Builds the list of openings by cell again.
 void list_openings(CellComplex& complex) {
   complex.opening_numbers.clear();
   for (std::size_t c = 0; c < complex.cells.size(); ++c) {
@@ -140,7 +140,7 @@ void list_openings(CellComplex& complex) {
   }
 }
 
-// Openings or a whole cell taken away, or there twice: shapes are right, places are not.
+// Openings or a whole cell removed, or duplicated: shapes are correct, positions are not.
 TEST_F(CheckComplex, Places) {
   expect("opening", "as has opening", [](CellComplex& c) {
     const auto openings = c.openings;
@@ -169,7 +169,7 @@ TEST_F(CheckComplex, Places) {
   }));
 }
 
-// The complex of one scene is not one of the same scene with another box in it.
+// The complex of one scene does not fit the same scene with another box in it.
 TEST(CheckComplexScenes, MatterInACellIsFound) {
   const PolyScene scene = generate_boxes(8, 2);
   PolyScene fewer = scene;

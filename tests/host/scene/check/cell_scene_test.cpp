@@ -1,4 +1,4 @@
-// The checker: the five scenes are possible; each way of being impossible is named by its number.
+// The checker: the five scenes are valid; each kind of error is named by its number.
 #include "host/scene/check/cell_scene.hpp"
 
 #include <gtest/gtest.h>
@@ -144,7 +144,7 @@ TEST(Locate, FindsTheCellAroundAPoint) {
   EXPECT_EQ(where(house, {300, 100, 500}), "2");
 }
 
-TEST(Locate, OnASurfaceGoesByOpeningsThenByTheSideLookedInto) {
+TEST(Locate, OnASurfaceIsDecidedByOpeningsThenByTheViewingDirection) {
   const CellScene house = builtin_scene("house");
   EXPECT_EQ(where(house, {100, 100, 400}), "0") << "in the door between 0 and 1";
   EXPECT_EQ(where(house, {250, 100, 600}), "1") << "in the hatch between 1 and 2";
@@ -152,7 +152,7 @@ TEST(Locate, OnASurfaceGoesByOpeningsThenByTheSideLookedInto) {
   EXPECT_EQ(where(house, {0, 0, 0}), "0") << "a corner of the outer box";
 }
 
-TEST(Locate, RefusesSolidsAndTheOutside) {
+TEST(Locate, RejectsSolidsAndTheOutside) {
   const CellScene roberts = builtin_scene("roberts");
   EXPECT_EQ(where(roberts, {0, -50, 700}), "point (0, -50, 700): is inside solid 0");
   EXPECT_EQ(where(roberts, {0, 0, 9}), "point (0, 0, 9): is outside the outer box");

@@ -1,4 +1,4 @@
-// Lines in which faces cross: known by hand, and against a plain reckoning with rational numbers of its own.
+// Lines in which faces cross: known by hand, and compared with an independent computation in rational numbers.
 #include "host/scene/check/crossings.hpp"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ TEST(Crossings, ABarThroughABox) {
   EXPECT_EQ(drawn.vertices.size(), 16U + 16U);
 }
 
-// Two pyramids on one base, turned against each other: behind the crossing one of them is inside out.
+// Two pyramids on one base, turned against each other: beyond the crossing one of them is inside out.
 TEST(Crossings, ABodyThatPassesThroughItselfIsASheet) {
   PolyScene scene;
   add_box(scene, {90, 90, 90}, {100, 100, 100});
@@ -88,7 +88,7 @@ TEST(Crossings, AnEdgeThatSticksIntoABox) {
   EXPECT_EQ(lines_of(scene), (std::set<std::set<PolyPoint>>{{{100, 50, 50}, {100, 90, 50}}}));
 }
 
-TEST(Crossings, TouchingIsNoCrossing) {
+TEST(Crossings, TouchingIsNotACrossing) {
   PolyScene scene;
   add_box(scene, {0, 0, 0}, {100, 100, 100});
   add_box(scene, {100, 0, 0}, {200, 100, 100});    // a whole face
@@ -112,7 +112,7 @@ TEST(Crossings, ThroughAHoleThereIsNone) {
   EXPECT_EQ(lines_of(scene), (std::set<std::set<PolyPoint>>{{{60, 0, 0}, {60, 20, 0}}, {{60, 80, 0}, {60, 100, 0}}}));
 }
 
-// The planes of corners that lie in the other plane: through a corner, and along a diagonal.
+// The plane of the other face contains corners: through a corner, and along a diagonal.
 TEST(Crossings, ThroughCorners) {
   PolyScene scene;
   add_sheet(scene, {{0, 0, 0}, {100, 0, 0}, {100, 100, 0}, {0, 100, 0}});
@@ -124,9 +124,10 @@ TEST(Crossings, ThroughCorners) {
   EXPECT_EQ(lines_of(kite), (std::set<std::set<PolyPoint>>{{{0, 50, 0}, {80, 50, 0}}}));
 }
 
-// Triangles at random: two cross along a line if and only if the sides of one or the other go through its inside
-// twice. The ends, in doubles, are those points.
-TEST(Crossings, OfTrianglesAtRandomAreWhereSidesGoThroughTheOther) {
+// Random triangles: two cross along a line if and only if the sides of one or the other pass through its inside twice. The ends,
+// in
+// doubles, are those points.
+TEST(Crossings, OfRandomTrianglesAreWhereSidesPassThroughTheOther) {
   std::mt19937 random(4);
   using Point = std::array<double, 3>;
   const auto minus = [](const PolyPoint& a, const PolyPoint& b) {
@@ -148,7 +149,7 @@ TEST(Crossings, OfTrianglesAtRandomAreWhereSidesGoThroughTheOther) {
       }
       add_sheet(scene, triangle);
     }
-    // Sides of one through the inside of the other (no determinant is 0 in these rounds).
+    // Sides of one that pass through the inside of the other (no determinant is 0 in these rounds).
     std::vector<Point> points;
     for (int t = 0; t < 2; ++t) {
       const auto& face = triangles[static_cast<std::size_t>(t)];
@@ -186,8 +187,8 @@ TEST(Crossings, OfTrianglesAtRandomAreWhereSidesGoThroughTheOther) {
   EXPECT_GT(crossing, 500U);
 }
 
-// Each pair is found, wherever its faces are and however large.
-TEST(Crossings, OfManyBodiesAreThoseOfEveryPair) {
+// Every pair is found, for faces at any position and of any size.
+TEST(Crossings, OfManyBodiesEqualThoseOfAllPairs) {
   std::mt19937 random(8);
   std::size_t pairs = 0;
   for (int round = 0; round < 20; ++round) {
@@ -219,9 +220,10 @@ TEST(Crossings, OfManyBodiesAreThoseOfEveryPair) {
   EXPECT_GT(pairs, 20U);
 }
 
-// The cheap test is right wherever it says yes, in both parts: of the bodies' boxes and of each body alone; and it says yes
-// where nothing is against it.
-TEST(AreBodiesApart, AgainstEveryPairOfBoxes) {
+// The cheap test must be correct whenever it returns true, for the bodies' boxes and for each body alone; and it returns true in
+// clear
+// cases.
+TEST(AreBodiesApart, MatchesATestOfEveryPairOfBoxes) {
   std::mt19937 generator(11);
   const auto below = [&generator](std::uint32_t limit) { return static_cast<std::int32_t>(generator() % limit); };
   int apart = 0;
@@ -255,9 +257,9 @@ TEST(AreBodiesApart, AgainstEveryPairOfBoxes) {
   EXPECT_LT(apart, 350);
 }
 
-TEST(AreBodiesApart, ABodyThatIsNotConvexIsNot) {
+TEST(AreBodiesApart, ANonConvexBodyIsNot) {
   PolyScene scene;
-  // Two sheets of one body through each other.
+  // Two sheets of one body that pass through each other.
   add_sheet(scene, {{0, 0, 0}, {100, 0, 0}, {100, 100, 0}, {0, 100, 0}});
   EXPECT_TRUE(are_plainly_apart(scene));
   add_sheet(scene, {{50, 50, -40}, {50, 50, 40}, {50, 20, 40}, {50, 20, -40}});
@@ -275,7 +277,7 @@ TEST(AreBodiesApart, BodiesOfVeryDifferentSizes) {
     const std::int32_t y = 2000 * (i / 45);
     add_box(scene, {x, y, 20}, {x + 10, y + 10, 30});
   }
-  (void)are_plainly_apart(scene);  // either answer is right, in little time
+  (void)are_plainly_apart(scene);  // either result is correct, in little time
   EXPECT_TRUE(crossings_of(scene).empty());
   add_box(scene, {90001, 90001, 0}, {90005, 90005, 25});
   EXPECT_FALSE(are_plainly_apart(scene));

@@ -1,4 +1,4 @@
-// Every kind of damage to a scene of polyhedra is found and named; scenes without damage are accepted.
+// Every kind of error in a scene of polyhedra is found and named; scenes without errors are accepted.
 #include "host/scene/check/poly_scene.hpp"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,7 @@
 namespace sightline::scene {
 namespace {
 
-// A cube of 10, low corner at the origin, and a square sheet of 20 with a square hole at z = 50, holes
-// clockwise.
+// A cube of 10, low corner at the origin, and a square sheet of 20 with a clockwise square hole at z = 50.
 PolyScene cube_and_sheet() {
   PolyBuilder builder;
   builder.add_box("cube", {0, 0, 0}, {10, 10, 10});
@@ -30,7 +29,7 @@ PolyScene cube_and_sheet() {
   return builder.take();
 }
 
-TEST(CheckPolyScene, LetsGoodScenesThrough) {
+TEST(CheckPolyScene, AcceptsValidScenes) {
   EXPECT_EQ(problems(cube_and_sheet()), "");
   for (const std::string_view family : generator_names()) {
     const auto scene = generate_scene(family, 3, 7);
@@ -38,7 +37,7 @@ TEST(CheckPolyScene, LetsGoodScenesThrough) {
   }
 }
 
-TEST(CheckPolyScene, TheGeneratedSetIsInOrder) {
+TEST(CheckPolyScene, TheGeneratedSetIsValid) {
   for (const GeneratedSceneName& name : generated_set()) {
     const auto scene = generate_scene(name.family, name.size, name.seed);
     ASSERT_EQ(problems(*scene), "") << scene->name;
@@ -215,8 +214,8 @@ TEST(CheckPolyScene, ACavityFacesInwards) {
   EXPECT_NE(problems(scene).find("face 6: is part of a surface turned inside out"), std::string::npos);
 }
 
-// A comb of so many teeth that each edge is beside every other one.
-TEST(CheckPolyScene, TooManyEdgesSideBySideAreNamed) {
+// A comb with so many teeth that each edge is next to every other one.
+TEST(CheckPolyScene, TooManyAdjacentEdgesAreAnError) {
   const auto comb = [](std::int32_t teeth) {
     PolyScene scene;
     PolyFace face;
@@ -234,7 +233,7 @@ TEST(CheckPolyScene, TooManyEdgesSideBySideAreNamed) {
   EXPECT_EQ(problems(comb(20000)), "body 0, face 0: has too many edges side by side to be checked\n");
 }
 
-TEST(CheckPolyScene, LooksForNoMoreThanAHundredErrors) {
+TEST(CheckPolyScene, ReportsAtMostAHundredErrors) {
   PolyScene scene = generate_boxes(50);
   for (PolyPoint& p : scene.vertices) p[0] += 1 << 20;
   EXPECT_EQ(check_poly_scene(scene).size(), most_scene_errors);

@@ -1,4 +1,4 @@
-// The small scenes on which algorithms are compared.
+// The small scenes used to compare algorithms.
 #pragma once
 
 #include <array>
@@ -26,9 +26,9 @@ inline std::size_t convex_faces(const PolyScene& scene) {
   return count;
 }
 
-// The 500 small scenes on which algorithms are compared: of boxes, town, triangles, bricks and rooms the
-// first 100 seeds from 1 whose scene has at most 60 convex faces (a wall with a door counts 3, with a hatch
-// 4).
+// The 500 small scenes used to compare algorithms: of boxes, town, triangles, bricks and rooms the first 100 seeds from 1 whose
+// scene has
+// at most 60 convex faces (a wall with a door counts as 3, with a hatch as 4).
 inline std::vector<GeneratedSceneName> generated_set() {
   struct Range {
     std::string_view family;

@@ -1,4 +1,4 @@
-// Rooms with doors: counts by hand, and that they are possible scenes.
+// Rooms with doors: counts computed by hand, and that they are valid scenes.
 #include "host/scene/generate/open_rooms.hpp"
 
 #include <gtest/gtest.h>
@@ -10,8 +10,9 @@
 namespace sightline::scene {
 namespace {
 
-// Four rooms have four walls between them. Five doors: one wall has two, the others one. A wall with n doors
-// is a lintel and n + 1 piers.
+// Four rooms have four walls between them. Of five doors one wall has two, the others one each. A wall with n doors is a lintel
+// and n + 1
+// piers.
 TEST(OpenRooms, FiveDoorsInFourWalls) {
   ASSERT_EQ(walls_between_rooms(2), 4U);
   const CellScene scene = generate_open_rooms(2, 5, 7);
@@ -26,8 +27,8 @@ TEST(OpenRooms, FiveDoorsInFourWalls) {
   }
 }
 
-// Two doors: their middles at a quarter and three quarters of 400.
-TEST(OpenRooms, DoorsStandInEvenSteps) {
+// Two doors: their middles are at a quarter and three quarters of 400.
+TEST(OpenRooms, DoorsAreEvenlySpaced) {
   const CellScene scene = generate_open_rooms(2, 8);
   const auto& first = scene.openings.at(0).place;
   const auto& second = scene.openings.at(1).place;
@@ -38,7 +39,7 @@ TEST(OpenRooms, DoorsStandInEvenSteps) {
   EXPECT_EQ(second.sides[1], (geometry::Span{280, 320}));
 }
 
-TEST(OpenRooms, ArePossibleScenes) {
+TEST(OpenRooms, AreValidScenes) {
   for (const std::size_t rooms : {1U, 2U, 3U}) {
     const std::size_t walls = walls_between_rooms(rooms);
     for (const std::size_t doors : {std::size_t{0}, walls / 2, walls, 3 * walls + 1, most_doors * walls}) {
@@ -52,7 +53,7 @@ TEST(OpenRooms, ArePossibleScenes) {
   }
 }
 
-TEST(OpenRooms, TheSeedChoosesTheWalls) {
+TEST(OpenRooms, TheSeedSelectsTheWalls) {
   EXPECT_EQ(generate_open_rooms(3, 5, 1), generate_open_rooms(3, 5, 1));
   const CellScene one = generate_open_rooms(3, 5, 1);
   CellScene other = generate_open_rooms(3, 5, 2);

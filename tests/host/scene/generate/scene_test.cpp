@@ -1,4 +1,4 @@
-// Generated scenes against their published counts, and against coordinates worked out with another program.
+// Generated scenes compared with their published counts, and with coordinates from another program.
 #include "host/scene/generate/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -80,7 +80,7 @@ TEST(GenerateScene, RoomsHaveThePublishedCounts) {
   EXPECT_EQ(convex_pieces(generate_rooms(10)), 572U);
 }
 
-TEST(GenerateScene, CoordinatesAreThoseOfTheDefinition) {
+TEST(GenerateScene, CoordinatesMatchTheDefinition) {
   const PolyScene boxes = generate_boxes(10);
   EXPECT_EQ(extent(boxes, boxes.bodies[0]),
             (std::pair<PolyPoint, PolyPoint>{{2054, 371, 1257}, {2426, 839, 1695}}));
@@ -117,7 +117,7 @@ TEST(GenerateScene, CamerasAreOrthogonal) {
   }
 }
 
-// The largest size keeps within the coordinate limit; tried where that is cheap.
+// The largest size is within the coordinate limit; tested where that is cheap.
 TEST(GenerateScene, TheLargestSizeFits) {
   NEEDS_OPTIMISED_CODE();
   for (const std::string_view family : {"rooms", "town", "prisms"}) {
@@ -139,7 +139,7 @@ TEST(GenerateScene, BigRoomsAreRoomsDividedByFive) {
   EXPECT_EQ(small.bodies, rooms.bodies);
 }
 
-TEST(GenerateScene, CorridorsAreTheBuiltInOnes) {
+TEST(GenerateScene, CorridorsEqualTheBuiltInOnes) {
   EXPECT_EQ(generate_corridors(8), poly_scene_of(builtin_scene("corridor8")));
   EXPECT_EQ(generate_corridors(32), poly_scene_of(builtin_scene("corridor32")));
 }
@@ -177,7 +177,7 @@ TEST(GenerateScene, PrismsAreRectanglesApart) {
   }
 }
 
-TEST(GenerateScene, BricksDoNotOverlapAndAreLeftOutWithoutRoom) {
+TEST(GenerateScene, BricksDoNotOverlapAndAreOmittedWithoutRoom) {
   const PolyScene scene = generate_bricks(200, 3);
   EXPECT_LT(scene.bodies.size(), 200U);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -202,7 +202,7 @@ TEST(GenerateScene, TheGeneratedSetHas500DifferentScenes) {
   EXPECT_EQ(names.size(), 500U);
 }
 
-TEST(GenerateScene, WhatCannotBeGeneratedIsNamed) {
+TEST(GenerateScene, ErrorsNameWhatCannotBeGenerated) {
   EXPECT_EQ(generate_scene("castles", 1).error().message(),
             "castles: no such family of scenes, expected one of boxes, edgeon, touch, aligned, town, triangles, "
             "bricks, rooms, big_rooms, corridors, prisms");

@@ -1,4 +1,4 @@
-// Expressions of x and z: what they mean, and errors that point at their place.
+// Expressions of x and z: their values, and errors with positions.
 #include "host/scene/heights/expression.hpp"
 
 #include <gtest/gtest.h>
@@ -71,7 +71,7 @@ TEST(SampleExpression, UndefinedHeightsAreHoles) {
   EXPECT_FALSE(std::isfinite(grid_of("1/x").height(2, 1)));
 }
 
-TEST(SampleExpression, ErrorsPointAtTheirPlace) {
+TEST(SampleExpression, ErrorsHaveAPosition) {
   const base::Error unknown = error_of("sin(x) + frog(z)");
   EXPECT_EQ(unknown.place, "10");
   EXPECT_EQ(unknown.place, "10");
@@ -87,8 +87,8 @@ TEST(SampleExpression, ErrorsPointAtTheirPlace) {
   EXPECT_EQ(error_of("max(x,z), z").place, "9");
 }
 
-// The parser counts from 0 and says so in the middle of its sentences.
-TEST(SampleExpression, OnePlaceIsSaid) {
+// The parser counts from 0 and states that within its sentences.
+TEST(SampleExpression, OnePositionIsReported) {
   for (const char* wrong : {"x + w", "x + ", "(x + z", "x z", "x + * z", "x,z", "sin(x,z)", "x : z", "\"x",
                             "sin()", ")", "max()", "(x,z)", "x ? z"}) {
     const base::Error error = error_of(wrong);
@@ -103,7 +103,7 @@ TEST(SampleExpression, AnAngleOfTwo) {
   EXPECT_EQ(grid_of("atan2(z, x)").height(4, 2), std::atan2(2.0, 2.0));
 }
 
-TEST(SampleExpression, WhatOtherwiseWouldBeTakenForSomethingElse) {
+TEST(SampleExpression, AmbiguousExpressionsAreErrors) {
   EXPECT_EQ(error_of("x = 3").place, "3");
   EXPECT_NE(error_of("x = 3").message(base::MessageStyle::position).find("=="), std::string::npos);
   EXPECT_EQ(error_of("x += 3").place, "4");
@@ -120,12 +120,12 @@ TEST(SampleExpression, NowhereFinite) {
   const base::Error error = error_of("log(-1 - x*x)");
   EXPECT_NE(error.message(base::MessageStyle::position).find("nowhere finite"), std::string::npos);
   error_of("0/0");
-  // Nothing of the 65 x 65 points of the range, but a point of the grid.
+  // None of the 65 x 65 points of the range, but a point of the grid.
   EXPECT_EQ(grid_of("x + 1 > 0.33 && x + 1 < 0.34 && z == -2 ? 5 : 0/0", {-2, 2}, {7, 2}).range,
             (Interval{5, 5}));
 }
 
-TEST(SampleExpression, SizesAtTheDoor) {
+TEST(SampleExpression, SizesAreChecked) {
   EXPECT_NE(error_of("x", {1, 5}).message(base::MessageStyle::position).find("2 to 1024"), std::string::npos);
   error_of("x", {5, 1});
   error_of("x", {1025, 5});
@@ -135,7 +135,7 @@ TEST(SampleExpression, SizesAtTheDoor) {
 TEST(ReadDomain, TwoNumbers) {
   EXPECT_EQ(*read_domain("-3:3"), (Interval{-3, 3}));
   EXPECT_EQ(*read_domain("+1e-3:2.5"), (Interval{0.001, 2.5}));
-  EXPECT_EQ(*read_domain("-1e-400:1"), (Interval{0, 1})) << "too near 0 to be told from it";
+  EXPECT_EQ(*read_domain("-1e-400:1"), (Interval{0, 1})) << "too close to 0 to differ from it";
   for (const char* bad :
        {"", ":", "3", "3:", ":3", "3:3", "3:-3", "a:b", "0:nan", "0:inf", "0:1:2", "0 :1", "0:1e999"})
     EXPECT_FALSE(read_domain(bad)) << bad;

@@ -23,7 +23,7 @@ TEST(HeightFunctions, TheEightComeFirst) {
   EXPECT_EQ(height_function("rogers")->domain, (Interval{0, 2 * std::numbers::pi}));
 }
 
-// Places where the formulas can be worked out by hand.
+// Points where the formulas can be computed by hand.
 TEST(HeightFunctions, KnownValues) {
   EXPECT_EQ(value("sinc", 0, 0), 1.0);
   EXPECT_NEAR(value("sinc", 3, 4), std::sin(5.0) / 5, 1e-15);
@@ -60,7 +60,7 @@ TEST(Sample, CoversTheDomainSliceBySlice) {
   EXPECT_EQ(rogers.domain_x.low, 0);
 }
 
-// The range is that on 65 x 65 points: 2 x 2 of the bell would see the corners only.
+// The range is that of 65 x 65 points: 2 x 2 of the bell would contain only the corners.
 TEST(Sample, RangeDoesNotDependOnTheSize) {
   for (const HeightFunction& f : height_functions()) {
     if (f.value == nullptr) continue;
@@ -85,7 +85,7 @@ TEST(Sample, SpikeAndTerrainBelongToTheGrid) {
   EXPECT_EQ(terrain.height(10, 6), (222 + 910 + 7) % 64 + 40);  // 60 mod 53 = 7
 }
 
-TEST(FiniteRange, LeavesOutWhatIsUndefined) {
+TEST(FiniteRange, OmitsUndefinedHeights) {
   EXPECT_EQ(finite_range({NAN, 3, -HUGE_VAL, -2, HUGE_VAL}), (Interval{-2, 3}));
   EXPECT_EQ(finite_range({NAN}), (Interval{0, 0}));
   EXPECT_FALSE(anywhere_finite({NAN, HUGE_VAL}));

@@ -1,4 +1,4 @@
-// Grid files: the three forms, and every kind of damage named by line and column.
+// Grid files: the three forms, and every kind of error with line and column.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -48,8 +48,8 @@ TEST(ReadHeightGrid, NumbersTooNearZeroAreZero) {
   EXPECT_NE(error_of("1e400,0\n0,1\n"), "no error");
 }
 
-// Different in the file, the same in [-1, 1].
-TEST(ReadHeightGrid, PlacesThatCoincide) {
+// Different in the file, equal in [-1, 1].
+TEST(ReadHeightGrid, CoincidentPositions) {
   EXPECT_NE(error_of("0 0 1\n1e-30 0 2\n1 0 3\n2 0 3\n\n0 5 4\n1e-30 5 5\n1 5 6\n2 5 3\n")
                 .find("grid.txt:2:1: found a second point at x = 1e-30, y = 0 with the height 2, expected one height for each place; the first is 1 in line 1"),
             std::string::npos);
@@ -81,7 +81,7 @@ TEST(ReadHeightGrid, Points) {
   EXPECT_EQ(grid_of("0 0 1\n1 0 2\n4 0 3\n").slices(), 3U);
 }
 
-// Blocks are points: a place without one is a hole, and that is said.
+// Blocks are points: a position without a point is a hole, and a note says so.
 TEST(ReadHeightGrid, IncompleteBlocks) {
   const HeightGrid three = grid_of("0 0 1\n1 0 2\n\n0 5 4\n");
   EXPECT_EQ(three.note, "read as x y z in columns, a grid of 2 x 2, 1 place without a point");
@@ -104,7 +104,7 @@ TEST(ReadHeightGrid, DamagedPoints) {
             "y is the same; parametric surfaces are not read");
   EXPECT_EQ(error_of("0 0 1\n0 1 2\n\n1 0 4\n2 1 2\n").substr(0, 31), "grid.txt: found 2 blocks of poi") << "the second block turns";
   EXPECT_EQ(error_of("nan 0 1\nnan 1 2\n\n0 0 4\n0 1 2\n"), "grid.txt:1:1: found no x, expected a number; only a height may be missing");
-  // A sheet that stands upright.
+  // An upright sheet.
   EXPECT_EQ(error_of("0 0 0\n0 1 0\n\n0 0 1\n0 1 1\n\n1 0 1\n1 1 1\n"),
             "grid.txt:4:1: found a second point at x = 0, y = 0 with the height 1, expected one height for each place; the first is 0 in line 1; "
             "parametric surfaces are not read");
@@ -125,7 +125,7 @@ TEST(ReadHeightGrid, DamagedFields) {
   EXPECT_EQ(error_of("\x01,\x02\n3,4\n").substr(0, 13), "grid.txt:1:1:");
 }
 
-// --- what spreadsheets and statistics programs write
+// --- Output of spreadsheets and statistics programs
 
 TEST(ReadHeightGrid, MissingCellsAreHoles) {
   for (const char* text : {"1,,3\n4,5,\n", "1;NA;3\n4;5;n/a\n", "1\tNULL\t3\n4\t5\t\n", "1,nan,3,\n4,5,,\n", "a,b,c\n1,,3\n4,5,\n"}) {
@@ -137,7 +137,7 @@ TEST(ReadHeightGrid, MissingCellsAreHoles) {
     EXPECT_EQ(grid.height(1, 1), 5) << text;
     EXPECT_EQ(grid.range, (Interval{1, 5})) << text;
   }
-  // The first cell is missing: the first column does not rise, so that it is no table.
+  // The first cell is missing: the first column does not ascend, so it is not a table.
   const HeightGrid first = grid_of(",2,3\n4,5,6\n1,8,9\n2,3,4\n");
   EXPECT_EQ(first.points(), 3U);
   EXPECT_TRUE(std::isnan(first.height(0, 0)));
@@ -178,7 +178,7 @@ TEST(ReadHeightGrid, PointsInAnyOrder) {
   EXPECT_TRUE(std::isnan(named.height(0, 1)) && std::isnan(named.height(1, 1)));
 }
 
-TEST(ReadHeightGrid, ColumnsAskedFor) {
+TEST(ReadHeightGrid, RequestedColumns) {
   const auto read = [](std::string_view text, std::vector<std::string> columns) {
     const auto result = read_height_grid(text, "grid.txt", {std::move(columns)});
     return result ? std::to_string(result->height(1, 0)) : result.error().message(base::MessageStyle::position);
@@ -220,15 +220,15 @@ TEST(ReadHeightGrid, DamagedShapes) {
   EXPECT_NE(error_of(tall).find("1025 slices of 2 points, expected at most 1024"), std::string::npos);
 }
 
-// --- which layout it is
+// --- Determination of the layout
 
 std::string note_of(std::string_view text, const GridFileOptions& options = {}) {
   const auto result = read_height_grid(text, "grid.txt", options);
   return result ? result->note : result.error().message(base::MessageStyle::position);
 }
 
-// As the layout was guessed, or not.
-TEST(GridLayouts, WhatWasGuessedIsSaid) {
+// Whether a note says that the layout was guessed.
+TEST(GridLayouts, GuessesAreReported) {
   EXPECT_EQ(note_of("1,3,3\n4,5,6\n"), "read as a matrix of 2 rows and 3 columns");
   EXPECT_EQ(note_of("1,2,3\n4,5,6\n", {{}, GridLayout::matrix}), "");
   EXPECT_EQ(note_of("at,1,2\n0,5,6\n1,7,8\n"), "");
@@ -239,7 +239,7 @@ TEST(GridLayouts, WhatWasGuessedIsSaid) {
   EXPECT_EQ(note_of("0,0,1\n1,0,2\n0,1,3\n1,1,4\n", {{"1", "2", "3"}}), "");
 }
 
-// gnuplot's nonuniform matrix: the number of columns, places along x; a place along y before each row.
+// gnuplot's nonuniform matrix: the number of columns, positions along x; a position along y before each row.
 TEST(GridLayouts, NonuniformMatrix) {
   const std::string said = "read as a table of 2 rows and 3 columns, with its places in the first line and column";
   const HeightGrid grid = grid_of("3 0 1 4\n5 4 5 6\n0 1 2 3\n");
@@ -247,13 +247,13 @@ TEST(GridLayouts, NonuniformMatrix) {
   EXPECT_EQ(grid.heights, one_to_six);
   EXPECT_EQ(grid.x, (std::vector<double>{-1, -0.5, 1}));
   EXPECT_EQ(grid.domain_z, (Interval{0, 5}));
-  // Places that fall, tabs between them.
+  // Descending positions, separated by tabs.
   EXPECT_EQ(grid_of("3\t4\t1\t0\n0\t3\t2\t1\n5\t6\t5\t4\n").heights, one_to_six);
   // Some programs write 0 instead of the number.
   EXPECT_EQ(grid_of("0 10 20 30\n200 7 8 9\n210 7 8 9\n220 1 2 3\n").domain_x, (Interval{10, 30}));
-  // A slope is a matrix, its corner is the first height.
+  // A slope is a matrix; its corner is the first height.
   EXPECT_EQ(note_of("0 1 2 3\n1 2 3 4\n2 3 4 5\n3 4 5 6\n"), "read as a matrix of 4 rows and 4 columns; if its first line and column are places, use --layout table");
-  EXPECT_EQ(note_of("2 3 5\n4 2 3\n4 8 9\n"), "read as a matrix of 3 rows and 3 columns") << "places down neither rise nor fall";
+  EXPECT_EQ(note_of("2 3 5\n4 2 3\n4 8 9\n"), "read as a matrix of 3 rows and 3 columns") << "the column is not monotone";
   EXPECT_EQ(note_of("3 0 1 4\n5 4 5 6\n0 1 2 3\n", {{}, GridLayout::matrix}), "");
   EXPECT_EQ(note_of("9 0 1 4\n5 4 5 6\n0 1 2 3\n", {{}, GridLayout::table}), "");
   EXPECT_EQ(note_of("9 0 1 1\n5 4 5 6\n0 1 2 3\n", {{}, GridLayout::table}),
@@ -274,7 +274,7 @@ TEST(GridLayouts, FurtherColumns) {
             "grid.txt:1:1: found the columns x, y, t, err, expected one called z or height; use --xyz x,y,NAME to name the column of heights");
 }
 
-// Words are read past in columns that are left out.
+// Words are skipped in unused columns.
 TEST(GridLayouts, ColumnsOfWords) {
   const std::string_view text = "name,x,y,z\na,0,0,1\nb,1,0,2\nc,4,0,3\nd,0,5,4\ne,1,5,5\nf,4,5,6\n";
   EXPECT_EQ(grid_of(text).heights, one_to_six);
@@ -285,8 +285,8 @@ TEST(GridLayouts, ColumnsOfWords) {
   EXPECT_EQ(note_of("0 0 1 a\n1 0 2 a\n0 1 3 a\n1 1 4 b\n", {{}, GridLayout::matrix}).substr(0, 13), "grid.txt:1:7:");
 }
 
-// As "set table" of gnuplot writes a surface: the type of each point is behind it.
-TEST(GridLayouts, WordsBehindPoints) {
+// A surface as written by "set table" of gnuplot: the type of each point follows it.
+TEST(GridLayouts, WordsAfterPoints) {
   const HeightGrid grid = grid_of("# x y z type\n0 0 1  i\n5 0 2  i\n\n0 3 4  o\n5 3 nan  u\n");
   EXPECT_EQ(grid.domain_x, (Interval{0, 5}));
   EXPECT_EQ(grid.domain_z, (Interval{0, 3}));
@@ -304,11 +304,11 @@ TEST(GridLayouts, RepeatedPoints) {
   EXPECT_EQ(error_of("0 0 1\n1 0 2\n4 0 3\n0 5 4\n1 5 5\n4 5 6\n1 5 7\n"),
             "grid.txt:7:1: found a second point at x = 1, y = 5 with the height 7, expected one height for each place; the first is 5 in line 5; "
             "use --layout matrix if each line is a row of heights");
-  // Two scans of all places, with different heights: never a matrix.
+  // Two scans of all positions, with different heights: never a matrix.
   EXPECT_NE(error_of("0 0 1\n1 0 2\n0 5 3\n1 5 4\n0 0 5\n1 0 6\n0 5 7\n1 5 8\n").find("grid.txt:5:1: found a second point"), std::string::npos);
 }
 
-TEST(GridLayouts, FewColumnsAreNoMatrix) {
+TEST(GridLayouts, FewColumnsAreNotAMatrix) {
   const std::string scattered = " different values of x and ";
   EXPECT_NE(error_of("0.1 3.2 1\n2.5 0.3 2\n1.7 1.9 4\n0.4 2.2 3\n").find("found 4 scattered points with 4" + scattered), std::string::npos);
   std::string four;
@@ -319,7 +319,7 @@ TEST(GridLayouts, FewColumnsAreNoMatrix) {
   EXPECT_NE(error_of("0,1,0\n0,2,0\n0,3,0\n0,4,0\n").find("found 4 points with the same x"), std::string::npos);
   EXPECT_EQ(error_of("0 5 1\n1 5 2\n2 5 3\n3 5 2\n4 5 1\n5 5 1\n6 5 1\n7 5 0\n8 5 1\n9 5 1\n"),
             "grid.txt: found 10 points with the same y, expected at least two different values of y; use --layout matrix if each line is a row of heights");
-  // Named or asked for, scattered points are no grid of holes either.
+  // Scattered points are not a grid with holes, whether the layout is named or requested.
   EXPECT_NE(error_of("x,y,z\n0,3,1\n1,2,1\n2,0,1\n3,1,1\n").find("found 4 scattered points"), std::string::npos);
   EXPECT_NE(note_of("0,3,1\n1,2,1\n2,0,1\n", {{"1", "2", "3"}}).find("found 3 scattered points"), std::string::npos);
   EXPECT_EQ(note_of("1 2\n3 4\n", {{}, GridLayout::points}), "grid.txt: found 2 lines of 2 fields, expected three or more: x, y and height");
@@ -335,7 +335,7 @@ TEST(GridLayouts, DecimalCommas) {
             "grid.txt:1:3: found '5 2', expected one number between two commas; where fractions have a comma, semicolons must separate the numbers");
 }
 
-TEST(GridLayouts, WhatIsNoText) {
+TEST(GridLayouts, BinaryFiles) {
   using namespace std::string_view_literals;
   const std::string wanted = ", expected a text of heights; save it as text in UTF-8, such as CSV, or as an ESRI ASCII grid";
   EXPECT_EQ(error_of("DSBB\0\0"sv), "grid.txt: found a binary Surfer grid" + wanted);
@@ -348,9 +348,9 @@ TEST(GridLayouts, WhatIsNoText) {
   EXPECT_EQ(error_of("1 2\0\n3 4\n"sv), "grid.txt: found binary data" + wanted);
 }
 
-// --- formats that say what they are
+// --- Formats that identify themselves
 
-TEST(EsriGrid, PlacesAreTheMiddlesOfCells) {
+TEST(EsriGrid, PositionsAreTheMiddlesOfCells) {
   const std::string_view cells = "NCOLS 3\nNROWS 2\nXLLCORNER 10\nYLLCORNER 20\nCELLSIZE 2\nNODATA_VALUE -1\n4 -1 6\n1 2\n3\n";
   const HeightGrid grid = grid_of(cells);
   EXPECT_EQ(grid.note, "");
@@ -361,7 +361,7 @@ TEST(EsriGrid, PlacesAreTheMiddlesOfCells) {
   EXPECT_EQ(grid.height(0, 1), 4);
   EXPECT_TRUE(std::isnan(grid.height(1, 1)));
   EXPECT_EQ(grid.range, (Interval{1, 6}));
-  // A value of -9999 is none unless the file says another.
+  // -9999 is undefined unless the file gives another value.
   const HeightGrid centres = grid_of("\xEF\xBB\xBFnrows 2\r\nncols 2\r\nyllcenter 0\r\nxllcenter 5\r\ndx 1\r\ndy 3\r\n-9999 nan\r\n1 2\r\n");
   EXPECT_EQ(centres.domain_x, (Interval{5, 6}));
   EXPECT_EQ(centres.domain_z, (Interval{0, 3}));
@@ -370,8 +370,8 @@ TEST(EsriGrid, PlacesAreTheMiddlesOfCells) {
             "grid.txt: found an ASCII grid of ESRI or Surfer, whose layout is known, expected a file of numbers; leave out --layout and --xyz");
 }
 
-// GDAL writes nan for holes, and says so.
-TEST(EsriGrid, NanForNoHeight) {
+// GDAL writes nan for holes and declares it.
+TEST(EsriGrid, NanForUndefinedHeights) {
   const HeightGrid grid = grid_of("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value nan\n-nan 2\n3 4\n");
   EXPECT_EQ(grid.heights[0], 3);
   EXPECT_TRUE(std::isnan(grid.heights[2]));
@@ -404,7 +404,7 @@ TEST(SurferGrid, RowsBeginInTheSouth) {
   EXPECT_EQ(error_of("DSAA\n3 2\n10 x\n"), "grid.txt:3:4: found 'x', expected the greatest x");
 }
 
-TEST(LoadHeightGrid, FilesThatAreNone) {
+TEST(LoadHeightGrid, FilesThatAreNotGrids) {
   const auto missing = load_height_grid("/nowhere/grid.csv");
   EXPECT_EQ(missing.error().message(base::MessageStyle::position), "/nowhere/grid.csv: found no such file");
   const auto folder = load_height_grid(SIGHTLINE_TEST_DATA);
@@ -436,7 +436,7 @@ TEST(LoadHeightGrid, OneHillInFourLayouts) {
   }
 }
 
-TEST(LoadHeightGrid, WhatIsNoSurfaceOverAGrid) {
+TEST(LoadHeightGrid, SurfacesThatAreNotOverAGrid) {
   const auto error = [](const std::string& file) {
     const auto grid = load_height_grid(SIGHTLINE_TEST_DATA "/heights/" + file);
     return grid ? "no error" : grid.error().found;

@@ -27,7 +27,7 @@ TEST(RoundValues, AreWrittenShort) {
   EXPECT_EQ(texts({1.1, 1.4}, 2), "1.2 1.4 ");
 }
 
-TEST(RoundValues, OfNothing) {
+TEST(RoundValues, OfAnEmptyInterval) {
   EXPECT_TRUE(round_values({2, 2}, 5).empty());
   EXPECT_TRUE(round_values({2, 1}, 5).empty());
   EXPECT_TRUE(round_values({0, std::nan("")}, 5).empty());
@@ -36,7 +36,7 @@ TEST(RoundValues, OfNothing) {
   EXPECT_TRUE(round_values({-1e300, 1e300}, 5).empty());
 }
 
-// Within, in equal steps of 1, 2 or 5, not more than asked for and not so few that a smaller step would do.
+// Within the interval, in equal steps of 1, 2 or 5, at most as many as requested, and no smaller step would fit.
 TEST(RoundValues, AreAsManyAsFit) {
   std::mt19937 dice(3);
   const auto any = [&] { return (static_cast<double>(dice() % 200001) - 100000) / 100000 * std::pow(10.0, static_cast<int>(dice() % 13) - 6); };

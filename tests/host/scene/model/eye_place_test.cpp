@@ -1,4 +1,4 @@
-// Where an eye is, compared with boxes whose inside is known, and cameras aimed at a direction.
+// The position of an eye relative to boxes whose inside is known, and cameras aimed in a direction.
 #include "host/scene/model/eye_place.hpp"
 
 #include <gtest/gtest.h>
@@ -123,7 +123,7 @@ TEST(EyePlace, TheGeneratedViewsAreInFreeSpace) {
   }
 }
 
-// --- cameras
+// --- Cameras
 
 std::int64_t dot(const PolyPoint& a, const PolyPoint& b) {
   return geometry::dot(geometry::vector_of(a), geometry::vector_of(b));
@@ -174,7 +174,7 @@ TEST(AimCamera, ExactWhereTheVectorsAreSmall) {
   EXPECT_EQ(aimed_camera(frame, {}, {0, -5, 0}), (PolyCamera{true, {}, {0, -1, 0}, {1, 0, 0}, {0, 0, -1}}));
 }
 
-// With up given: right is forward x up, the upright right x forward, each without common divisors.
+// With a given up: right is forward x up, the upright vector right x forward, each without common divisors.
 TEST(AimCamera, UpKeepsDirectionsExact) {
   const SceneFrame frame{};
   const auto vectors = [&frame](const std::array<double, 3>& direction, const std::array<double, 3>& up) {
@@ -184,15 +184,15 @@ TEST(AimCamera, UpKeepsDirectionsExact) {
   using Vectors = std::array<PolyPoint, 3>;
   EXPECT_EQ(vectors({-1, -1, -1}, {0, 1, 0}), (Vectors{PolyPoint{-1, -1, -1}, {1, 0, -1}, {-1, 2, -1}}));
   EXPECT_EQ(vectors({-1, -1, -1}, {0, 0, 1}), (Vectors{PolyPoint{-1, -1, -1}, {-1, 1, 0}, {-1, -1, 2}}));
-  // Not at a right angle, and with decimals: (1, 2, 3) x (2, 1, 0) = (-3, 6, -3).
+  // Not perpendicular, and with decimals: (1, 2, 3) x (2, 1, 0) = (-3, 6, -3).
   EXPECT_EQ(vectors({0.1, 0.2, 0.3}, {1, 0.5, 0}), (Vectors{PolyPoint{1, 2, 3}, {-1, 2, -1}, {4, 1, -2}}));
   EXPECT_EQ(vectors({12000, 0, 5000}, {0, 7, 0}), (Vectors{PolyPoint{12, 0, 5}, {-5, 0, 12}, {0, 1, 0}}));
-  // A direction without whole numbers, and the vertical: the camera is the one without up.
+  // A direction without integers, and the vertical: the camera is the one without up.
   const std::array<double, 3> dimetric{-1, -1, -std::sqrt(7.0)};
   EXPECT_EQ(turned_camera(frame, {}, dimetric, {0, 2, 0}, false), aimed_camera(frame, {}, direction_of(dimetric), false));
 }
 
-TEST(AimCamera, UpThatNeedsLargeVectorsIsNear) {
+TEST(AimCamera, UpThatNeedsLargeVectorsIsApproximated) {
   SceneRandom random(38);
   for (int i = 0; i < 500; ++i) {
     std::array<double, 3> direction{};
@@ -209,7 +209,7 @@ TEST(AimCamera, UpThatNeedsLargeVectorsIsNear) {
   }
 }
 
-TEST(AimCamera, TheThreeQuarterViewIsThatOfAFile) {
+TEST(AimCamera, TheThreeQuarterViewEqualsThatOfAFile) {
   PolyScene scene = *generate_scene("town", 9, 2);
   EXPECT_EQ(three_quarter_camera({}, scene), default_poly_camera(scene));
   for (std::size_t vertical = 0; vertical < 3; ++vertical)

@@ -12,7 +12,7 @@
 namespace sightline::scene {
 namespace {
 
-TEST(PolyFromCells, EverySolidAndWallIsThereAndNothingElse) {
+TEST(PolyFromCells, ConsistOfExactlyTheSolidsAndWalls) {
   for (const std::string_view name : builtin_scene_names()) {
     const auto loaded = load_cell_scene(std::string(name));
     const CellScene& cells = *loaded;

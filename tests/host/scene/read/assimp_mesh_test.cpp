@@ -1,4 +1,4 @@
-// glTF, GLB and 3MF made by hand after their specifications, and damage of each kind. Skipped where the build has no assimp.
+// glTF, GLB and 3MF files made by hand from their specifications, and errors of each kind. Skipped if the build has no assimp.
 #include "host/scene/read/assimp_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ bool assimp_is_there() {
 #define NEEDS_ASSIMP() \
   if (!assimp_is_there()) GTEST_SKIP() << "this build has no assimp (Debian: libassimp-dev)"
 
-// --- a tetrahedron with corners at 0 and 1 on the axes, as the buffer of a glTF file
+// --- A tetrahedron with corners at 0 and 1 on the axes, as the buffer of a glTF file
 
 constexpr std::array<std::array<float, 3>, 4> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 constexpr std::array<std::uint16_t, 12> triangles{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
@@ -91,7 +91,7 @@ std::string glb() {
   return bytes + buffer;
 }
 
-// --- a 3MF archive of stored files
+// --- A 3MF archive of stored files
 
 struct StoredFile {
   std::string name;
@@ -167,7 +167,7 @@ Points points_of(const PolyMesh& mesh, const PolyBody& body) {
   return points;
 }
 
-// Six times the volume: positive if the faces are seen counterclockwise from outside.
+// Six times the volume: positive if the faces are counterclockwise seen from outside.
 double volume(const PolyMesh& mesh, const PolyBody& body) {
   double sum = 0;
   for (const PolyFace& face : body.faces) {
@@ -196,7 +196,7 @@ TEST(AssimpMesh, GltfAppliesTheTransformsOfItsNodes) {
     EXPECT_EQ(points_of(*mesh, mesh->bodies[0]), (Points{{10, 0, 0}, {11, 0, 0}, {10, 1, 0}, {10, 0, 1}}));
     EXPECT_EQ(points_of(*mesh, mesh->bodies[1]), (Points{{10, 0, 5}, {8, 0, 5}, {10, 2, 5}, {10, 0, 7}}));
     EXPECT_EQ(volume(*mesh, mesh->bodies[0]), 1);
-    EXPECT_EQ(volume(*mesh, mesh->bodies[1]), 8);  // a mirror turns no face inside out
+    EXPECT_EQ(volume(*mesh, mesh->bodies[1]), 8);  // a mirror transform turns no face inside out
     EXPECT_EQ(mesh->unit, "m");
     EXPECT_EQ(mesh->vertical, std::optional<std::size_t>(1));
     EXPECT_GE(mesh->precision, 0x1p-20);  // of floats from 8 to 16
@@ -217,10 +217,10 @@ TEST(AssimpMesh, ThreemfBuildsItsItems) {
   EXPECT_EQ(mesh->vertical, std::optional<std::size_t>(2));
   const auto silent = read_by_assimp(threemf("<item objectid=\"1\"/>", "xml:lang=\"en\""), "a", AssimpFormat::threemf, "");
   ASSERT_TRUE(silent);
-  EXPECT_EQ(silent->unit, "mm");  // what the specification says of a model that does not say it
+  EXPECT_EQ(silent->unit, "mm");  // the specification's default
 }
 
-TEST(AssimpMesh, WhatIsReadIsASolidOfEachNode) {
+TEST(AssimpMesh, EachNodeIsASolid) {
   NEEDS_ASSIMP();
   const auto read = read_poly(glb(), "a.glb", PolyFormat::glb, {.mend = true});
   ASSERT_TRUE(read) << read.error().message();
@@ -230,7 +230,7 @@ TEST(AssimpMesh, WhatIsReadIsASolidOfEachNode) {
   EXPECT_EQ(face_count(read->scene), 8U);
 }
 
-TEST(AssimpMesh, ToldByContent) {
+TEST(AssimpMesh, RecognisedByContent) {
   EXPECT_EQ(poly_format_of("a.stl", glb()), PolyFormat::glb);
   EXPECT_EQ(poly_format_of("a.stl", threemf("")), PolyFormat::threemf);
   EXPECT_EQ(poly_format_of("a.json", gltf(two_nodes, "")), PolyFormat::gltf);
@@ -239,7 +239,7 @@ TEST(AssimpMesh, ToldByContent) {
   EXPECT_EQ(poly_format_of("-", "{\"asset"), PolyFormat::json);
 }
 
-TEST(AssimpMesh, BuffersComeFromTheFolderAlone) {
+TEST(AssimpMesh, BuffersComeOnlyFromTheFolder) {
   NEEDS_ASSIMP();
   const std::filesystem::path folder = std::filesystem::current_path() / "assimp_mesh_test";
   std::filesystem::create_directories(folder / "in" / "sub");
@@ -264,7 +264,7 @@ TEST(AssimpMesh, BuffersComeFromTheFolderAlone) {
   std::filesystem::remove_all(folder);
 }
 
-TEST(AssimpMesh, DamageIsNamed) {
+TEST(AssimpMesh, ErrorsAreNamed) {
   NEEDS_ASSIMP();
   const auto has = [](const std::string& message, const std::string& part) {
     return message.find(part) != std::string::npos ? testing::AssertionSuccess() : testing::AssertionFailure() << message;
@@ -302,7 +302,7 @@ TEST(AssimpMesh, DamageIsNamed) {
                   "3D/3dmodel.model: found a component in another part, \"/3D/Objects/o.model\""));
 }
 
-// Whatever assimp does with it, this program goes on.
+// However assimp fails, this program continues.
 TEST(AssimpMesh, NoDamageEndsTheProgram) {
   NEEDS_ASSIMP();
   std::mt19937 random(1971);

@@ -1,4 +1,4 @@
-// Cells as a file: what is written is read again, and every kind of damage is named.
+// Cells as a file: a written file is read again, and every kind of error is named.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -31,7 +31,7 @@ std::string error_of(const std::string& text) {
   return !read ? read.error().message() : "";
 }
 
-TEST(CellComplexFile, WhatIsWrittenIsReadAgain) {
+TEST(CellComplexFile, AWrittenFileIsReadAgain) {
   std::vector<PolyScene> scenes{poly_scene_of(builtin_scene("roberts")),
                                 poly_scene_of(builtin_scene("house")), generate_boxes(6),
                                 generate_triangles(4)};
@@ -47,21 +47,21 @@ TEST(CellComplexFile, WhatIsWrittenIsReadAgain) {
   EXPECT_NE(file_of(scenes[0], DecompositionMethod::bsp), file_of(scenes[0], DecompositionMethod::grid));
 }
 
-TEST(CellComplexFile, OtherTextIsNone) {
+TEST(CellComplexFile, OtherTextIsNotACellComplex) {
   EXPECT_FALSE(is_cell_complex(""));
   EXPECT_FALSE(is_cell_complex("{\"bodies\": []}"));
   EXPECT_FALSE(is_cell_complex("\"sightline/cell-complex/2\""));
   EXPECT_TRUE(is_cell_complex(" {\n \"schema\": \"sightline/cell-complex/1\"}"));
 }
 
-// One change to a good file each, and what is said of it.
-TEST(CellComplexFile, NamesWhatIsWrong) {
+// One change to a valid file each, and the resulting error.
+TEST(CellComplexFile, NamesTheErrors) {
   const PolyScene scene = poly_scene_of(builtin_scene("roberts"));
   const json good = json::parse(file_of(scene));
   ASSERT_EQ(error_of(good.dump()), "");
   struct Damage {
     const char* place;  // JSON pointer
-    json value;         // null as a whole: the field is taken away
+    json value;         // null as a whole: the field is removed
     const char* said;
   };
   const std::vector<Damage> damages{
@@ -104,7 +104,7 @@ TEST(CellComplexFile, NamesWhatIsWrong) {
   }
 }
 
-// Deeper than the stack would hold if a reader went down with it.
+// Deeper than the stack of a recursive reader.
 TEST(CellComplexFile, NestingOfAnyDepthIsAnError) {
   std::string text = file_of(generate_boxes(2));
   const std::size_t at = text.find("\"polyhedra\"");
@@ -115,10 +115,10 @@ TEST(CellComplexFile, NestingOfAnyDepthIsAnError) {
   EXPECT_EQ(error_of(text), "c.json: polyhedra: expected an object, found an array of 1");
 }
 
-TEST(CellComplexFile, ACellTakenAwayIsMissed) {
+TEST(CellComplexFile, ARemovedCellIsAnError) {
   const PolyScene scene = poly_scene_of(builtin_scene("roberts"));
   json file = json::parse(file_of(scene));
-  // The last cell and all its openings: the rest is in order, but does not fill the outer box.
+  // Without the last cell and all its openings the rest is valid, but does not fill the outer box.
   const std::size_t last = file["cells"].size() - 1;
   std::vector<std::size_t> number(file["openings"].size());
   json openings = json::array();
@@ -140,7 +140,7 @@ TEST(CellComplexFile, ACellTakenAwayIsMissed) {
   EXPECT_NE(error_of(file.dump()), "");
 }
 
-TEST(CellComplexFile, SyntaxAndNothing) {
+TEST(CellComplexFile, SyntaxErrorsAndEmptyFiles) {
   EXPECT_NE(error_of("").find("c.json: line 1, column 1"), std::string::npos) << error_of("");
   EXPECT_NE(error_of("[]").find("expected an object"), std::string::npos);
   const std::string text = file_of(generate_boxes(2));

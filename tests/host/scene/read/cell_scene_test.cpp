@@ -1,4 +1,4 @@
-// The JSON reader: the built-in scenes, and every kind of damage named by file, place and cause.
+// The JSON reader: the built-in scenes, and every kind of error with file, position and cause.
 #include "host/scene/read/cell_scene.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(Builtin, EmbeddedTextIsTheFile) {
   }
 }
 
-// Numbers of section "Scenes" of the specification: the house of Fig. 2.
+// Numbers from section "Scenes" of the specification: the house of Fig. 2.
 TEST(ReadCellScene, ReadsTheHouse) {
   const CellScene house = builtin_scene("house");
   EXPECT_EQ(house.name, "house");
@@ -54,7 +54,7 @@ TEST(ReadCellScene, ReadsTheHouse) {
 
 struct Damage {
   const char* name;
-  const char* pointer;  // JSON pointer to what is replaced
+  const char* pointer;  // JSON pointer to the replaced value
   const char* value;    // by this JSON; empty: erased
   const char* place;
   const char* cause;
@@ -62,7 +62,7 @@ struct Damage {
 
 class DamagedScene : public testing::TestWithParam<Damage> {};
 
-TEST_P(DamagedScene, IsNamedByFilePlaceAndCause) {
+TEST_P(DamagedScene, IsReportedByFilePositionAndCause) {
   json document = json::parse(builtin_scene_text("house").value());
   const json::json_pointer pointer(GetParam().pointer);
   if (*GetParam().value) {
@@ -121,14 +121,14 @@ TEST(ReadCellScene, NamesLineAndColumnOfASyntaxError) {
   EXPECT_NE(error.found.find("unexpected '}'"), std::string::npos) << error.found;
 }
 
-TEST(ReadCellScene, RefusesTextThatIsNoJsonObject) {
+TEST(ReadCellScene, RejectsTextThatIsNotAJsonObject) {
   for (const char* text : {"", " ", "[]", "7", "null", "\xff\xfe", "{\"name\":\"\xc3\"}"}) {
     EXPECT_FALSE(read_cell_scene(text, "x")) << text;
   }
   EXPECT_FALSE(read_cell_scene(std::string(100000, '['), "x"));
 }
 
-TEST(LoadCellScene, FindsBuiltinScenesAndNamesWhatIsNotThere) {
+TEST(LoadCellScene, FindsBuiltinScenesAndNamesMissingFiles) {
   EXPECT_TRUE(load_cell_scene("corridor8"));
   const auto missing = load_cell_scene("no/such/scene.json");
   EXPECT_EQ(missing.error().message(),
@@ -138,7 +138,7 @@ TEST(LoadCellScene, FindsBuiltinScenesAndNamesWhatIsNotThere) {
   EXPECT_NE(folder.error().found.find("directory"), std::string::npos);
 }
 
-TEST(LoadCellScene, ChecksWhatAFileSays) {
+TEST(LoadCellScene, ChecksTheFile) {
   json document = json::parse(builtin_scene_text("house").value());
   document["cells"][1][1][0] = 240;
   const auto file = std::filesystem::path(testing::TempDir()) / "sightline-load-test.json";
@@ -149,7 +149,7 @@ TEST(LoadCellScene, ChecksWhatAFileSays) {
   EXPECT_EQ(result.error().file, file.string());
 }
 
-// Bytes changed, removed and doubled at random: an error or a scene that can be checked, nothing else.
+// Bytes changed, removed and doubled at random: always an error or a scene that can be checked.
 TEST(ReadCellScene, SurvivesRandomDamage) {
   std::mt19937 random(1971);
   for (int round = 0; round < tests::effort(3000, 300); ++round) {

@@ -1,4 +1,4 @@
-// A scene as a user names it: what a name stands for, which kind a text is, and what is said of a bad one.
+// A scene as a user names it: the meaning of a name, the kind of a text, and the errors.
 #include "host/scene/read/load.hpp"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ TEST(LoadScene, AFileHasPrecedenceOverAGeneratedScene) {
   std::filesystem::remove_all(folder);
 }
 
-// Generated scenes, which are not checked when they are loaded, are what their files say.
+// Generated scenes, which are not checked when they are loaded, equal their files.
 TEST(LoadScene, AGeneratedSceneIsTheSceneOfItsFile) {
   for (const std::string_view family : generator_names()) {
     SCOPED_TRACE(family);
@@ -80,7 +80,7 @@ TEST(LoadScene, AGeneratedSceneIsTheSceneOfItsFile) {
   }
 }
 
-TEST(LoadScene, KnowsTheKindOfAText) {
+TEST(LoadScene, RecognisesTheKindOfAText) {
   std::string complex;
   const PolyScene scene = generate_boxes(2);
   write_cell_complex(scene, *decomposition_of(scene), [&](std::string_view piece) { complex += piece; });
@@ -99,7 +99,7 @@ TEST(LoadScene, KnowsTheKindOfAText) {
   EXPECT_TRUE(loaded->decomposition);
 }
 
-TEST(LoadScene, AByteOrderMarkIsNoPartOfAText) {
+TEST(LoadScene, AByteOrderMarkIsSkipped) {
   const std::string mark = "\xef\xbb\xbf";
   std::string complex;
   const PolyScene boxes = generate_boxes(2);
@@ -134,7 +134,7 @@ TEST(LoadScene, AByteOrderMarkIsNoPartOfAText) {
             "a.json: found a text in UTF-16, expected UTF-8 or ASCII; save it as UTF-8");
 }
 
-TEST(LoadScene, AnErrorSaysHowManyThereAre) {
+TEST(LoadScene, AnErrorGivesTheNumberOfErrors) {
   EXPECT_EQ(error_of({.name = "s.json", .text = "{\n \"name\": 3,,}"}).substr(0, 27),
             "s.json: line 2, column 12: ");
   const std::string bent = "OFF\n4 1 0\n0 0 0\n4 0 0\n4 4 1\n0 4 0\n4 0 1 2 3\n";
@@ -147,7 +147,7 @@ TEST(LoadScene, AnErrorSaysHowManyThereAre) {
                   .ends_with(" (the first of " + std::to_string(reading.errors.size()) + " errors)"));
 }
 
-TEST(LoadScene, MendsWhatItIsAskedToMend) {
+TEST(LoadScene, MendsOnRequest) {
   const std::string inside_out =
       "OFF\n4 4 0\n0 0 0\n4 0 0\n0 4 0\n0 0 4\n3 0 1 2\n3 0 3 1\n3 1 3 2\n3 0 2 3\n";
   const SceneFile file{.name = "scan.off", .text = inside_out};

@@ -1,4 +1,4 @@
-// Files made by hand after Turk's description, in all encodings, and each kind of damage.
+// Files made by hand from Turk's description, in all encodings, and errors of each kind.
 #include "host/scene/read/ply.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ std::string binary_triangle(bool big) {
   return bytes.text();
 }
 
-// An error, or what only mending leaves out.
+// An error, or the omissions of mending.
 std::string ply_error(const std::string& bytes) {
   const auto mesh = read_ply(bytes, "a.ply");
   if (!mesh) return mesh.error().message();
@@ -85,7 +85,7 @@ TEST(Ply, ColoursAreMaterialsAndOtherElementsAreNamed) {
   EXPECT_EQ(mesh->precision, 0.1);
 }
 
-TEST(Ply, EachKindOfDamageIsNamed) {
+TEST(Ply, EachKindOfErrorIsNamed) {
   const std::string rows = "0 9 0 0\n3 9 0 0\n0 9 -3 0\n";
   EXPECT_EQ(ply_error("ply"), "a.ply: line 1: found no end of the header, expected \"end_header\"") << "no line ends";
   EXPECT_EQ(ply_error("ply\nformat ascii 1.0\n"), "a.ply: line 3: found no end of the header, expected \"end_header\"");
@@ -131,7 +131,7 @@ constexpr const char* four_vertices =
     "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
 constexpr const char* four_rows = "0 0 0\n1 0 0\n0 1 0\n0 0 1.5\n";
 
-// Every other triangle of a strip is turned, and -1 begins another strip.
+// Every other triangle of a strip is turned, and -1 starts another strip.
 TEST(Ply, StripsOfTriangles) {
   const auto read = [](const std::string& element, const std::string& rows) {
     return read_ply(std::string("ply\nformat ascii 1.0\n") + four_vertices + element + "end_header\n" + four_rows + rows, "a.ply");
@@ -139,7 +139,7 @@ TEST(Ply, StripsOfTriangles) {
   const std::string strips = "element tristrips 1\nproperty list int int vertex_indices\n";
   EXPECT_EQ(outlines(read(strips, "4 0 1 2 3\n")), (Outlines{{0, 1, 2}, {2, 1, 3}}));
   EXPECT_EQ(outlines(read(strips, "9 0 1 2 -1 3 2 1 0 -1\n")), (Outlines{{0, 1, 2}, {3, 2, 1}, {1, 2, 0}}));
-  // Degenerate triangles count when triangles are turned.
+  // Degenerate triangles count for the turning.
   EXPECT_EQ(outlines(read(strips, "5 0 1 1 2 3\n")), (Outlines{{1, 2, 3}}));
   const auto thin = read(strips, "6 0 1 -1 1 2 3\n");
   EXPECT_EQ(outlines(thin), (Outlines{{0, 1}, {1, 2, 3}}));
@@ -157,7 +157,7 @@ TEST(Ply, StripsOfTriangles) {
   EXPECT_FALSE(read("element tristrips 1\nproperty list int int strip\n", "3 0 1 2\n"));
 }
 
-TEST(Ply, WhatTheFormatAllowsIsRead) {
+TEST(Ply, VariantsOfTheFormatAreRead) {
   const std::string face = "element face 1\nproperty list uchar int vertex_indices\n";
   const std::string body = std::string("end_header\n") + four_rows + "3 0 1 2\n";
   const std::string head = "ply\nformat ascii 1.0\n";

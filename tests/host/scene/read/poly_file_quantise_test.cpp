@@ -1,4 +1,4 @@
-// Files with fractions are rounded once and told so; what is not quite a scene is mended when asked to be.
+// Files with fractions are rounded once, with a message; defective scenes are mended on request.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -25,7 +25,7 @@ TEST(Quantise, DecimalFractionsLoseNothing) {
             "OFF\n4 1 0\n0.25 0 0\n1 0.001 0\n1 1 0\n-0.3 1 0\n4 0 1 2 3\n");
 }
 
-// Only of some steps below 1 does a whole number make 1.
+// Only for some steps below 1 an integer multiple is 1.
 TEST(Quantise, AStepOfAnySizeIsMultiplied) {
   const std::string end = ",\"vertices\":[[0,0,0],[10,0,0],[0,-3,0]],\"bodies\":[{\"faces\":[[0,1,2]]}]}";
   const auto after_origin = [&](const std::string& step) {
@@ -63,7 +63,7 @@ TEST(Quantise, ASceneFarAwayIsMovedFirst) {
   EXPECT_NE(import.scene.origin, (PolyOrigin{0, 0, 0}));
 }
 
-// At 5.4e9 a double has units of 2^-20: thousandths are distinguished, and 120 of a part's units are 120,000 of them.
+// At 5.4e9 a double has units of 2^-20: thousandths are distinct, and 120 units of a part are 120,000 of them.
 TEST(Quantise, DecimalFractionsFarAwayLoseNothing) {
   const std::string text =
       "OFF\n4 1 0\n500123496 5412345678.123 310250.5\n500123376 5412345678.123 310250.5\n500123376 5412345700 310250.5\n"
@@ -78,7 +78,7 @@ TEST(Quantise, DecimalFractionsFarAwayLoseNothing) {
   EXPECT_EQ(again.scene, import.scene);
 }
 
-TEST(Quantise, WholeNumbersFarAwayStayWhatTheyAre) {
+TEST(Quantise, IntegersFarAwayAreExact) {
   const PolyImport import =
       read("OFF\n3 1 0\n-9000000000 7 0\n-8999800000 7 0\n-9000000000 100007 1\n3 0 1 2\n", PolyFormat::off);
   EXPECT_FALSE(import.report.quantised);
@@ -86,7 +86,7 @@ TEST(Quantise, WholeNumbersFarAwayStayWhatTheyAre) {
   EXPECT_EQ(import.scene.vertices[2], (PolyPoint{-100000, 50000, 1}));  // the middle is -8999900000, 50007, 0
 }
 
-// The largest step that is needed to distinguish neighbouring doubles.
+// The largest step that distinguishes adjacent doubles.
 TEST(Quantise, TheStepIsNoFinerThanTheNumbers) {
   const PolyImport import =
       read("OFF\n3 1 0\n1e300 0 0\n1.0000000000000002e300 0 0\n1e300 1e284 0\n3 0 1 2\n", PolyFormat::off);
@@ -94,17 +94,17 @@ TEST(Quantise, TheStepIsNoFinerThanTheNumbers) {
   EXPECT_EQ(import.scene.vertices[1][0] - import.scene.vertices[0][0], 1);
 }
 
-// Wherever a mesh lies, as long as its numbers are the same, it is the same scene.
-TEST(Quantise, AMeshThatWasMovedIsTheSameScene) {
+// A translated mesh gives the same scene as long as its numbers are equal.
+TEST(Quantise, ATranslatedMeshIsTheSameScene) {
   std::mt19937 random(3);
   const auto below = [&random](unsigned most) { return static_cast<double>(random() % most); };
   for (int round = 0; round < 200; ++round) {
-    const double unit = round % 2 == 0 ? 1.0 / 1024 : 1.0 / 7 * 0x1p-2;  // 7ths are rounded: on a power of two
+    const double unit = round % 2 == 0 ? 1.0 / 1024 : 1.0 / 7 * 0x1p-2;  // 7ths are rounded to a power of two
     PolyMesh mesh;
     mesh.bodies.emplace_back();
     for (VertexIndex v = 0; v < 9; ++v) {
       std::array<double, 3>& vertex = mesh.vertices.emplace_back();
-      // 30 bits before and 20 after the point: a sum of them is exact.
+      // 30 bits before and 20 after the point: sums of them are exact.
       for (double& c : vertex) c = std::floor(below(80'000) * unit * 0x1p20) * 0x1p-20;
       if (v % 3 == 2) mesh.bodies[0].faces.push_back({{v - 2, v - 1, v}, {}});
     }
@@ -133,13 +133,13 @@ TEST(Quantise, FacesThatAreNoLongerPlanarBecomeTriangles) {
   EXPECT_EQ(problems(import.scene), "");
 }
 
-TEST(Quantise, PointsThatFallTogetherBecomeOne) {
+TEST(Quantise, CoincidentPointsAreMerged) {
   const PolyImport import =
       read("OFF\n5 2 0\n0 0 0\n100000.7 0 0\n0 100000.7 0\n0 0 0.000001\n7 7 7\n3 0 1 2\n3 0 1 3\n",
            PolyFormat::off);
   EXPECT_EQ(import.report.faces.merged_vertices, 1U);
   EXPECT_EQ(import.report.faces.dropped_faces, 1U);
-  // What was wrong with the file itself is not hidden.
+  // Errors of the file itself are not hidden.
   EXPECT_EQ(problems(import.scene), "vertex 3: is not used by any face\n");
 }
 

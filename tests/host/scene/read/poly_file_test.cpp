@@ -1,4 +1,4 @@
-// OFF, OBJ and JSON: what they say is what is read; every kind of damage is named by line or place.
+// OFF, OBJ and JSON: the contents are read; every kind of error is reported with line or position.
 #include "host/scene/read/poly_file.hpp"
 
 #include <gtest/gtest.h>
@@ -84,7 +84,7 @@ TEST(ReadPoly, GroupsOfOneSurfaceAndMaterialsAreBorders) {
   EXPECT_EQ(import->scene.material_of, (std::vector<std::uint32_t>{0, 1, 2, 2}));
 }
 
-TEST(ReadPoly, WhatOfAnObjIsPassedOverIsCounted) {
+TEST(ReadPoly, IgnoredPartsOfAnObjAreCounted) {
   const auto import = read_poly(
       "mtllib x.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\ns off\np 1 2\np 2 3\ncurv 0 1\nl 2\nf 1 2 3\nvt 0 0\n", "test",
       PolyFormat::obj);
@@ -115,7 +115,7 @@ TEST(ReadPoly, AFileOfLinesAloneIsAScene) {
   }
 }
 
-// Geomview's manual: the keyword may be missing, and only colours end with a line.
+// Geomview's manual: the keyword may be missing, and only colours depend on the end of a line.
 TEST(ReadPoly, OffIsAStreamOfNumbers) {
   const std::string vertices = "0 0 0\n10 0 0\n0 10 0\n0 0 10\n";
   const std::string faces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
@@ -146,17 +146,17 @@ TEST(ReadPoly, OffIsAStreamOfNumbers) {
       "NOFF 4 4 6\n" + blanks("0 0 0 1 0 0\n10 0 0 0 1 0\n0 10 0 0 0 1\n0 0 10 1 0 0\n") + faces,
   };
   for (const std::string& text : texts) EXPECT_EQ(read(text, PolyFormat::off).scene, expected) << text;
-  // Vertices on one line, and faces over several lines with their colours: a material each.
+  // Vertices on one line, and faces over several lines with their colours: one material each.
   const auto coloured = read_poly("OFF 4 4 6 " + blanks(vertices) + "3 0\n2 1 255 0 0\n3 0 1\n3\n3 1 2 3 255 0 0\n3 2 0 3 0.5 1 1 1\n", "test",
                                   PolyFormat::off, {.mend = true});
   ASSERT_TRUE(coloured) << coloured.error().message();
   EXPECT_EQ(coloured->scene.material_of, (std::vector<std::uint32_t>{0, 1, 0, 2}));
   EXPECT_TRUE(coloured->scene.materials_are_colours);
-  // A coordinate that is missing is no other layout.
+  // A missing coordinate is not a different layout.
   EXPECT_FALSE(read_poly("OFF\n4 4 6\n0 0 0\n10 0\n0 10 0\n0 0 10\n" + faces, "test", PolyFormat::off, {.mend = true}));
 }
 
-TEST(ReadPoly, ObjAsTheSpecificationAllows) {
+TEST(ReadPoly, VariantsOfObjAreRead) {
   const PolyScene expected = read(tetrahedron_obj, PolyFormat::obj).scene;
   const std::string vertices = "v 0 0 0\nv 10 0 0\nv 0 10 0\nv 0 0 10\n";
   const std::string faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
@@ -169,7 +169,7 @@ TEST(ReadPoly, ObjAsTheSpecificationAllows) {
 }
 
 // In each format that can have them; --strict names the first one.
-TEST(ReadPoly, FacesThatAreNoneAreLeftOutAndCounted) {
+TEST(ReadPoly, DegenerateFacesAreOmittedAndCounted) {
   const std::string ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
                           "element face 4\nproperty list uchar int vertex_index\nproperty uchar red\nend_header\n";
   const std::vector<std::string> expected{"1 face with a coordinate that is no finite number", "2 faces of fewer than three vertices"};
@@ -200,8 +200,8 @@ TEST(ReadPoly, FacesThatAreNoneAreLeftOutAndCounted) {
   EXPECT_EQ(alone->report.notes, (std::vector<std::string>{"1 vertex with a coordinate that is no finite number"}));
 }
 
-// Colours and faces that were left out stay together.
-TEST(ReadPoly, MaterialsOfTheFacesThatAreLeft) {
+// The colours of the remaining faces are kept.
+TEST(ReadPoly, MaterialsOfTheRemainingFaces) {
   const auto import = read_poly("OFF\n5 5 0\n0 0 0\n10 0 0\n0 10 0\n0 0 10\nnan 0 0\n3 0 1 4 9\n3 0 2 1 8\n3 0 1 3 7\n3 1 2 3 8\n3 2 0 3 6\n",
                                 "test", PolyFormat::off, {.mend = true});
   ASSERT_TRUE(import) << import.error().message();
@@ -233,7 +233,7 @@ TEST(ReadPoly, ModelsHaveTheCountsOfTheirTable) {
   }
 }
 
-TEST(ReadPoly, DamageIsNamedByLine) {
+TEST(ReadPoly, ErrorsAreReportedByLine) {
   const std::string head = "OFF\n3 1 0\n0 0 0\n1 0 0\n";
   const Damage damages[] = {
       {PolyFormat::off, "", "test: end of file: found no text, expected OFF"},
@@ -311,7 +311,7 @@ TEST(ReadPoly, DamageIsNamedByLine) {
   }
 }
 
-TEST(ReadPoly, JsonWithoutACameraIsLookedAtFromOutside) {
+TEST(ReadPoly, JsonWithoutACameraIsSeenFromOutside) {
   const PolyScene scene =
       read("{\"vertices\":[[0,0,0],[8,0,0],[0,8,0]],\"bodies\":[{\"faces\":[[0,1,2]]}]}", PolyFormat::json)
           .scene;

@@ -1,4 +1,4 @@
-// OFF, OBJ and JSON: what is written reads as the same scene, as far as the format has words for it.
+// OFF, OBJ and JSON: a written scene is read back unchanged, as far as the format can express it.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -15,7 +15,7 @@
 namespace sightline::scene {
 namespace {
 
-TEST(WritePoly, WhatIsWrittenReadsAsTheSameScene) {
+TEST(WritePoly, AWrittenSceneIsReadBackUnchanged) {
   for (const std::string_view family : generator_names()) {
     const auto scene = *generate_scene(family, 3, 5);
     EXPECT_EQ(read(written(scene, PolyFormat::json), PolyFormat::json).scene, scene) << family;
@@ -32,7 +32,7 @@ TEST(WritePoly, WhatIsWrittenReadsAsTheSameScene) {
   }
 }
 
-TEST(WritePoly, WiresAreKeptByObjAndJsonAndRefusedByTheOthers) {
+TEST(WritePoly, WiresAreKeptByObjAndJsonAndRejectedByTheOthers) {
   PolyScene scene = generate_triangles(1);
   scene.vertices.push_back({7, 8, 9});
   scene.wires = {{0, 1}, {2, 3}};
@@ -54,8 +54,7 @@ TEST(WritePoly, WiresAreKeptByObjAndJsonAndRefusedByTheOthers) {
   EXPECT_EQ(problems(faces), "");
 }
 
-// A wall with a hatch as triangles: its area, and no edge that its outline and hole do not have is left
-// alone.
+// A wall with a hatch as triangles: its area is unchanged, and only edges of its outline and hole belong to a single triangle.
 TEST(WritePoly, FacesWithHolesBecomeTriangles) {
   const PolyScene scene = generate_rooms(3);
   const PolyScene off = read(written(scene, PolyFormat::off), PolyFormat::off).scene;
@@ -84,7 +83,7 @@ TEST(WritePoly, FacesWithHolesBecomeTriangles) {
   EXPECT_DOUBLE_EQ(area(off), area(scene));
 }
 
-TEST(WritePoly, AFaceOfTooManyVerticesWithAHoleIsNamed) {
+TEST(WritePoly, AFaceOfTooManyVerticesWithAHoleIsAnError) {
   PolyScene scene;
   PolyFace face;
   const auto add = [&](std::vector<VertexIndex>& ring, std::int32_t x, std::int32_t y) {
@@ -102,7 +101,7 @@ TEST(WritePoly, AFaceOfTooManyVerticesWithAHoleIsNamed) {
   EXPECT_EQ(result.error().place, "body 0, face 0");
 }
 
-// Names that are the same, look like a comment or a line that goes on, or are those of unnamed bodies.
+// Names that are equal, that look like a comment or a continued line, or that equal those of unnamed bodies.
 TEST(WritePoly, ObjKeepsBodiesApart) {
   PolyScene scene = generate_boxes(6);
   const char* names[] = {"", "a  b", " a b ", "#1", "ends in \\", "body 0"};
@@ -116,7 +115,7 @@ TEST(WritePoly, ObjKeepsBodiesApart) {
   }
 }
 
-// OFF does not say that its two surfaces are one body.
+// OFF does not record that its two surfaces are one body.
 TEST(WritePoly, ACavitySurvivesOff) {
   const PolyScene scene = hollow_box();
   for (const bool mend : {false, true}) {

@@ -1,4 +1,4 @@
-// Each kind of damage that is mended, on meshes whose right form is known by hand.
+// Each kind of damage that is mended, on meshes whose correct form is known by hand.
 #include "host/scene/read/poly_mend.hpp"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ std::vector<std::array<double, 3>> moved(std::vector<std::array<double, 3>> poin
   return points;
 }
 
-// Two corners that nearly meet become one: a wire between them is a point, and two wires to them are the same.
+// Two corners that nearly meet are merged: a wire between them becomes a point, and two wires to them become equal.
 TEST(PolyMend, WiresFollowTheirVertices) {
   PolyMesh mesh = mesh_of({{9, 9, 9}, {0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 1, 0}, {20, 20, 20}}, {{1, 2, 3}});
   mesh.wires = {{5, 1}, {4, 5}, {4, 1}, {2, 1}};
@@ -57,7 +57,7 @@ TEST(PolyMend, WiresFollowTheirVertices) {
   EXPECT_EQ(import.report.faces.dropped_wires, 1U);
 }
 
-TEST(PolyMend, WiresStayWhenNoFaceDoes) {
+TEST(PolyMend, WiresRemainEvenWithoutFaces) {
   PolyMesh mesh = mesh_of({{0, 0, 0}, {8, 0, 0}, {16, 0, 0}, {0, 0, 5}}, {{0, 1, 2}});
   mesh.wires = {{0, 3}};
   const PolyImport import = mended(mesh);
@@ -67,7 +67,7 @@ TEST(PolyMend, WiresStayWhenNoFaceDoes) {
   EXPECT_EQ(import.report.faces.dropped_faces, 1U);
 }
 
-TEST(PolyMend, WhatIsInOrderIsNotTouched) {
+TEST(PolyMend, ValidMeshesAreUnchanged) {
   const PolyImport cube = mended(mesh_of(cube_corners, cube_faces));
   const MendReport& report = cube.report.faces;
   EXPECT_EQ(report.merged_vertices + report.dropped_vertices + report.dropped_faces + report.duplicate_faces +
@@ -83,12 +83,12 @@ TEST(PolyMend, FacesTurnedTheWrongWay) {
   std::reverse(faces[1].begin(), faces[1].end());
   std::reverse(faces[4].begin(), faces[4].end());
   EXPECT_EQ(mended(mesh_of(cube_corners, faces)).report.faces.turned_faces, 2U);
-  for (std::size_t f : {0U, 2U, 3U, 5U}) std::reverse(faces[f].begin(), faces[f].end());  // all are inside out now
+  for (std::size_t f : {0U, 2U, 3U, 5U}) std::reverse(faces[f].begin(), faces[f].end());  // now all are inside out
   EXPECT_EQ(mended(mesh_of(cube_corners, faces)).report.faces.turned_faces, 6U);
 }
 
-TEST(PolyMend, ShellsWithinEachOtherTakeTurns) {
-  // Three cubes around each other, all written outside out: solid, cavity, solid.
+TEST(PolyMend, NestedShellsAlternate) {
+  // Three nested cubes, all written with the outside out: solid, cavity, solid.
   std::vector<std::array<double, 3>> points;
   Faces faces;
   for (const double scale : {8.0, 4.0, 1.0}) {
@@ -113,12 +113,12 @@ TEST(PolyMend, AnOpenPartIsASheetAndAMoebiusBandHasOneSide) {
   EXPECT_TRUE(box.scene.bodies.at(0).sheet);
   EXPECT_EQ(box.report.faces.sheets, 1U);
   EXPECT_EQ(box.report.faces.one_sided, 0U);
-  // Five triangles around, the smallest band of one side.
+  // Five triangles in a ring, the smallest one-sided band.
   const std::vector<std::array<double, 3>> points{{90, 0, 5}, {28, 85, -20}, {-73, 53, 30}, {-73, -53, -7}, {28, -86, 11}};
   EXPECT_EQ(mended(mesh_of(points, {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}})).report.faces.one_sided, 1U);
 }
 
-// A cube every face of which has corners of its own, as STL has them, moved along an axis by `apart`: by turns along x, y and z.
+// A cube whose faces all have separate corners, as in STL, moved by `apart` along an axis: x, y and z in turn.
 void add_loose_cube(double apart, std::vector<std::array<double, 3>>& points, Faces& faces) {
   for (const auto& face : cube_faces) {
     faces.emplace_back();
@@ -130,14 +130,14 @@ void add_loose_cube(double apart, std::vector<std::array<double, 3>>& points, Fa
   }
 }
 
-TEST(PolyMend, VerticesOnOnePointAndNearEachOther) {
+TEST(PolyMend, CoincidentAndNearbyVertices) {
   std::vector<std::array<double, 3>> points;
   Faces faces;
   add_loose_cube(0, points, faces);
   const PolyImport joined = mended(mesh_of(points, faces));
   EXPECT_EQ(joined.report.faces.merged_vertices, 16U);
   EXPECT_FALSE(joined.scene.bodies.at(0).sheet);
-  // Corners that do not meet quite: apart as they are, one with a distance.
+  // Corners that almost meet: separate by default, merged with a distance.
   for (std::size_t i = 0; i < points.size(); ++i) points[i][i % 3] += 0.01 * static_cast<double>(i / 4 % 3);
   EXPECT_GT(mended(mesh_of(points, faces)).report.faces.sheets, 0U);
   const PolyImport welded = mended(mesh_of(points, faces), 0.1);
@@ -145,18 +145,18 @@ TEST(PolyMend, VerticesOnOnePointAndNearEachOther) {
   EXPECT_EQ(welded.report.faces.sheets, 0U);
 }
 
-TEST(PolyMend, FacesTwiceWithoutAreaCrossingThemselves) {
+TEST(PolyMend, RepeatedDegenerateAndSelfCrossingFaces) {
   Faces faces = cube_faces;
-  faces.push_back({1, 0, 3, 2});     // the first again, from another corner
+  faces.push_back({1, 0, 3, 2});     // the first again, starting at another corner
   faces.push_back({0, 1, 0});        // no area
-  faces.push_back({0, 6, 3, 5});     // crosses itself, and is in no plane
+  faces.push_back({0, 6, 3, 5});     // crosses itself, and is not planar
   const PolyImport result = mended(mesh_of(cube_corners, faces));
   EXPECT_EQ(result.report.faces.duplicate_faces, 1U);
   EXPECT_EQ(result.report.faces.dropped_faces, 1U);
 }
 
-// A cube of 6, the first corner of which is in the middle of an octahedron whose bounds are around it, and that sticks out of it.
-TEST(PolyMend, ASolidThatSticksOutOfAnotherIsNoCavity) {
+// A cube of 6, whose first corner is in the middle of an octahedron; it is within the octahedron's bounds but sticks out of it.
+TEST(PolyMend, ASolidThatSticksOutOfAnotherIsNotACavity) {
   std::vector<std::array<double, 3>> points{{10, 0, 0}, {-10, 0, 0}, {0, 10, 0}, {0, -10, 0}, {0, 0, 10}, {0, 0, -10}};
   Faces faces{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
   for (const auto& face : cube_faces) {
@@ -177,7 +177,7 @@ TEST(PolyMend, ASolidThatSticksOutOfAnotherIsNoCavity) {
 }
 
 TEST(PolyMend, AFlatTriangleLeavesNoCrack) {
-  // A tetrahedron, one edge of which has a vertex in its middle on one side only, and a triangle that fills the gap.
+  // A tetrahedron with a vertex in the middle of one edge on one side only, and a triangle that fills the gap.
   const std::vector<std::array<double, 3>> points{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8}, {4, 4, 0}};
   const Faces faces{{0, 2, 4}, {0, 4, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {1, 4, 2}};
   const PolyImport result = mended(mesh_of(points, faces));
@@ -197,7 +197,7 @@ TEST(PolyMend, FacesThatAreNotPlanarBecomeTriangles) {
   EXPECT_LT(result.report.faces.largest_deviation, 2.0);
 }
 
-// A cube whose side x = 8 is two faces, which meet in a line from one edge to the other; the faces beside know neither end.
+// A cube whose side x = 8 is two faces, which meet in a line from one edge to the other; the adjacent faces have neither end.
 TEST(PolyMend, VerticesOnEdgesOfOtherFaces) {
   std::vector<std::array<double, 3>> points = cube_corners;
   points.push_back({8, 3, 0});
@@ -211,7 +211,7 @@ TEST(PolyMend, VerticesOnEdgesOfOtherFaces) {
   EXPECT_EQ(result.scene.bodies.at(0).faces.size(), 7U);
   EXPECT_EQ(result.scene.bodies[0].faces[0].outline.size(), 5U);
   EXPECT_EQ(result.scene.surfaces.size(), 6U);
-  // Of two bodies of the file no one divides edges of the other.
+  // A body of the file does not divide edges of another.
   PolyMesh apart = mesh_of(points, faces);
   apart.grouped = true;
   apart.bodies.emplace_back().faces = {apart.bodies[0].faces[3], apart.bodies[0].faces[6]};
@@ -219,8 +219,8 @@ TEST(PolyMend, VerticesOnEdgesOfOtherFaces) {
   EXPECT_EQ(mended(std::move(apart)).report.faces.divided_edges, 0U);
 }
 
-// Near an edge is not on it: what counts is the precision of the file.
-TEST(PolyMend, VerticesBesideEdgesDivideNothing) {
+// Near an edge is not on it: the precision of the file decides.
+TEST(PolyMend, VerticesNearEdgesDivideNothing) {
   for (const double aside : {0.0001, 0.01}) {
     std::vector<std::array<double, 3>> points = cube_corners;
     points.push_back({8 + aside, 3, 0});
@@ -236,8 +236,9 @@ TEST(PolyMend, VerticesBesideEdgesDivideNothing) {
   }
 }
 
-// A triangle that touches the middle of another one's side with a corner closes nothing there. One whose side is a part of that
-// side does, and so does one that goes beyond its end: both are divided, then.
+// A triangle whose corner touches the middle of another one's side does not close the gap there. A triangle whose side is a part
+// of that
+// side does, and so does one that extends beyond its end: then both are divided.
 TEST(PolyMend, VerticesThatOnlyTouchAnEdgeDivideNothing) {
   const auto divided = [](const std::array<double, 3>& a, const std::array<double, 3>& b) {
     return mended(mesh_of({{0, 0, 0}, {8, 0, 0}, {4, 5, 0}, a, b, {5, -6, 3}}, {{0, 1, 2}, {3, 4, 5}})).report.faces.divided_edges;
@@ -247,8 +248,9 @@ TEST(PolyMend, VerticesThatOnlyTouchAnEdgeDivideNothing) {
   EXPECT_EQ(divided({4, 0, 0}, {12, 0, 0}), 2U);
 }
 
-// Boxes at any angle whose sides are cut into pieces at random, with fractions, near and far away: each piece has corners of
-// its own, as in STL, and no side knows where its neighbours are cut. What comes out is the box.
+// Boxes at any angle whose sides are divided into random pieces, with fractions, near and far away: each piece has separate
+// corners, as in
+// STL, and no side has the vertices of its neighbours. The result must be the box.
 TEST(PolyMend, BoxesCutAnywhereStayBoxes) {
   std::mt19937 random(5);
   const auto number = [&random](double low, double high) {
@@ -316,14 +318,15 @@ TEST(PolyMend, BoxesCutAnywhereStayBoxes) {
   EXPECT_GT(divided, 200U);
 }
 
-// A box at an angle: each side has vertices of its own on its edges, which the sides beside it do not have. The numbers have four
-// decimals, so that no side is planar: the triangles that it becomes leave no edge between vertices on one of its sides.
-TEST(PolyMend, SidesWithVerticesOfTheirOwnStayTogether) {
+// A box at an angle: each side has additional vertices on its edges, which the adjacent sides do not have. The numbers have four
+// decimals,
+// so that no side is planar: the triangles that it becomes leave no edge between vertices on one of its sides.
+TEST(PolyMend, SidesWithAdditionalVerticesStayTogether) {
   using Point = std::array<double, 3>;
   std::mt19937 random(9);
   for (int round = 0; round < 40; ++round) {
     const double decimals = round % 2 == 0 ? 1e4 : 1;
-    const double scale = round % 2 == 0 ? 1 : 1e4;  // whole numbers, of a mesh of many units
+    const double scale = round % 2 == 0 ? 1 : 1e4;  // integers, of a mesh of many units
     const double angle = 0.3 + round * 0.1;
     const auto place = [&](const Point& p) {
       const Point q{std::cos(angle) * p[0] - std::sin(angle) * p[1], std::sin(angle) * p[0] + std::cos(angle) * p[1], p[2]};
@@ -360,11 +363,12 @@ TEST(PolyMend, SidesWithVerticesOfTheirOwnStayTogether) {
   }
 }
 
-// Corners a third of a step apart in the file, on neighbouring points of the grid: the cube is a solid. Where rounding loses nothing,
-// corners one step apart are what they are.
+// Corners a third of a step apart in the file round to adjacent points of the grid: the cube is still a solid. Where rounding is
+// exact,
+// corners one step apart stay separate.
 TEST(PolyMend, CracksOfRoundingAreClosed) {
   std::vector<std::array<double, 3>> points = cube_corners;
-  for (auto& p : points) p[0] += 0.1 / 7;  // no decimal fraction
+  for (auto& p : points) p[0] += 0.1 / 7;  // not a decimal fraction
   const double step = mended(mesh_of(points, cube_faces)).report.step;
   const double edge = (std::floor(points[1][0] / step) - 9.5) * step;  // between two points of the grid
   points[1][0] = points[2][0] = points[5][0] = points[6][0] = edge - step / 6;
@@ -382,8 +386,8 @@ TEST(PolyMend, CracksOfRoundingAreClosed) {
   EXPECT_EQ(open.report.faces.sheets, 1U);
 }
 
-// The distance that is named does what it promises, and none is named for a hole.
-TEST(PolyMend, ADistanceThatHelpsIsNamed) {
+// The suggested distance closes the part, and none is suggested for a hole.
+TEST(PolyMend, AHelpfulDistanceIsSuggested) {
   std::vector<std::array<double, 3>> points;
   Faces faces;
   add_loose_cube(0.01, points, faces);
@@ -397,21 +401,21 @@ TEST(PolyMend, ADistanceThatHelpsIsNamed) {
   EXPECT_EQ(mended(mesh_of(cube_corners, hole)).report.faces.helpful_weld, 0.0);
 }
 
-// A square of a height field, warped so that along y, its largest area, its outline crosses itself, and along z it does not.
+// A square of a height field, warped so that its outline crosses itself along y, where its area is largest, but not along z.
 TEST(PolyMend, AWarpedSquareOfAHeightFieldIsTwoTriangles) {
   const PolyImport result = mended(mesh_of({{0, 0, 20}, {0, 10, 23}, {10, 10, 2}, {10, 0, 27}}, {{0, 1, 2, 3}}));
   EXPECT_EQ(result.report.faces.crossing_faces, 0U);
   EXPECT_EQ(result.report.faces.split_faces, 1U);
   EXPECT_EQ(result.scene.bodies.at(0).faces.size(), 2U);
-  // One in a plane crosses itself from everywhere; turned, its corners are rounded.
+  // A planar one crosses itself in every projection; when turned, its corners are rounded.
   const std::vector<std::array<double, 3>> points{{0, 0, 0}, {9.7, 9.9, 3.3}, {9.7, 0, 3.3}, {0, 9.9, 0},
                                                   {0, 0, 9}, {9, 0, 9},       {0, 9, 9}};
   const PolyImport bow = mended(mesh_of(points, {{0, 1, 2, 3}, {4, 5, 6}}));
   EXPECT_EQ(bow.report.faces.crossing_faces + bow.report.faces.dropped_faces, 1U);
 }
 
-// Whatever is drawn at random: what is left is in order. (Counts: that something is left at all.)
-TEST(PolyMend, SoupsAreInOrderAfterwards) {
+// Random meshes: the result is valid. (Counts guard against empty results.)
+TEST(PolyMend, RandomMeshesAreValidAfterwards) {
   std::mt19937 random(7);
   for (int round = 0; round < 300; ++round) {
     const int size = 1 + static_cast<int>(random() % 9);
@@ -430,7 +434,7 @@ TEST(PolyMend, SoupsAreInOrderAfterwards) {
   }
 }
 
-// The order of vertices and faces in the file changes nothing of the shape.
+// The order of vertices and faces in the file does not change the shape.
 TEST(PolyMend, WeldingDoesNotDependOnTheOrder) {
   std::mt19937 random(11);
   std::vector<std::array<double, 3>> points;

@@ -1,4 +1,4 @@
-// Surfaces: what is flat stays whole when it is turned and rounded, what is round stays divided.
+// Surfaces: flat surfaces stay whole when they are turned and rounded, round surfaces stay divided.
 #include "host/scene/read/poly_planes.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-// An uneven turn, so that no coordinate stays whole.
+// A turn by an odd angle, so that no coordinate stays an integer.
 Point turned(const Point& p, double angle) {
   const double c = std::cos(angle);
   const double s = std::sin(angle);
@@ -22,7 +22,7 @@ Point turned(const Point& p, double angle) {
   return {q[0], c * q[1] - s * q[2], s * q[1] + c * q[2]};
 }
 
-// A plate with n x n squares on each large side, all of two triangles, as float32 holds it.
+// A plate with n x n squares on each large side, all of two triangles, in float32 precision.
 PolyMesh plate(int n, double angle) {
   PolyMesh mesh;
   mesh.bodies.emplace_back();
@@ -67,8 +67,9 @@ TEST(PolyPlanes, ATurnedPlateHasSixSurfaces) {
   }
 }
 
-// A box of size 1 with bevels of 0.2 at 45 degrees, in tenths: its numbers are as short as its bevels are small, and exact.
-TEST(PolyPlanes, BevelsInShortNumbersAreNoErrors) {
+// A box of size 1 with bevels of 0.2 at 45 degrees, in tenths: its numbers have as few digits as its bevels are small, and are
+// exact.
+TEST(PolyPlanes, BevelsOfFewDecimalsAreNotErrors) {
   PolyMesh mesh;
   for (const double y : {0.0, 0.8}) mesh.vertices.insert(mesh.vertices.end(), {{0, y, 0}, {1, y, 0}, {1, y, 1}, {0, y, 1}});
   mesh.vertices.insert(mesh.vertices.end(), {{0.2, 1, 0.2}, {0.8, 1, 0.2}, {0.8, 1, 0.8}, {0.2, 1, 0.8}});
@@ -84,7 +85,7 @@ TEST(PolyPlanes, BevelsInShortNumbersAreNoErrors) {
   EXPECT_EQ(import->scene.surfaces.size(), 10U);
 }
 
-// From pair to pair neighbours are within the tolerance of each other; no two may be joined because of that.
+// Each pair of neighbours is within the tolerance; no two may be joined because of that.
 TEST(PolyPlanes, ACylinderOfManySidesStaysRound) {
   constexpr int sides = 2000;
   PolyMesh mesh;
@@ -100,7 +101,7 @@ TEST(PolyPlanes, ACylinderOfManySidesStaysRound) {
   }
   // A strip k sides wide leaves the plane of its first one by about k^2 times this.
   const double sagitta = 1 - std::cos(std::numbers::pi / sides);
-  mesh.precision = 4 * sagitta;  // the tolerance is 16 of them: at most some sides to each hand
+  mesh.precision = 4 * sagitta;  // the tolerance is 16 of them: at most a few sides in each direction
   const auto import = import_poly(std::move(mesh), {.mend = true});
   ASSERT_TRUE(import);
   EXPECT_GT(import->scene.surfaces.size(), static_cast<std::size_t>(sides / 12));

@@ -1,4 +1,4 @@
-// Files made by hand after the StereoLithography Interface Specification, and each kind of damage.
+// Files made by hand from the StereoLithography Interface Specification, and errors of each kind.
 #include "host/scene/read/stl.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ std::string facet(const std::string& a, const std::string& b, const std::string&
   return "facet normal 0 0 1\nouter loop\nvertex " + a + "\nvertex " + b + "\nvertex " + c + "\nendloop\nendfacet\n";
 }
 
-// An error, or what only mending leaves out.
+// An error, or the omissions of mending.
 std::string stl_error(const std::string& bytes) {
   const auto mesh = read_stl(bytes, "a.stl");
   if (!mesh) return mesh.error().message();
@@ -50,7 +50,7 @@ std::size_t face_count(const base::Result<PolyMesh>& mesh) {
 }
 
 TEST(Stl, BinaryVerticesOnOnePointAreOne) {
-  // A header that begins as a text does.
+  // A header that begins like a text file.
   const std::string bytes = binary({0, 0, 0, 1.5F, 0, 0, 0, 1.5F, 0, 1.5F, 0, -0.0F, 0, 0, 0, 0, 0, -1.5F}, "solid part");
   ASSERT_TRUE(is_binary_stl(bytes));
   const auto mesh = read_stl(bytes, "a.stl");
@@ -74,8 +74,9 @@ TEST(Stl, TextWithTwoSolids) {
   EXPECT_EQ(mesh->precision, 0.01);
 }
 
-// Written by %e, all numbers have as many digits, and the last one of the largest is coarser than those of the others. Where the
-// largest has fewer digits, zeros at its end were left out.
+// In numbers written by %e all have the same number of digits, and the last digit of the largest is coarser than those of the
+// others. If
+// the largest has fewer digits, trailing zeros were omitted.
 TEST(Stl, PrecisionOfNumbersWithAnExponent) {
   const auto precision = [](const std::string& large, const std::string& small) {
     const std::string text = "solid\n" + facet("0 0 0", large + " 0 0", "0 " + small + " 0") + "endsolid\n";
@@ -90,7 +91,7 @@ TEST(Stl, PrecisionOfNumbersWithAnExponent) {
   EXPECT_EQ(precision("1770000", "940000"), 1);  // rounded to whole numbers
 }
 
-TEST(Stl, EachKindOfDamageIsNamed) {
+TEST(Stl, EachKindOfErrorIsNamed) {
   const std::string whole = "solid s\n" + facet("0 0 0", "1 0 0", "0 1 0") + "endsolid s\n";
   EXPECT_EQ(stl_error(whole), "");
   EXPECT_EQ(stl_error(""), "a.stl: byte 0: found the end of the file, expected \"solid\" in the first line of a text, or "
@@ -113,7 +114,7 @@ TEST(Stl, EachKindOfDamageIsNamed) {
   std::string lies = binary(triangle);
   lies[83] = '\x7f';
   EXPECT_NE(stl_error(lies).find("byte 80 says 2130706433 triangles"), std::string::npos) << stl_error(lies);
-  // Cut off, with a header that begins as a text does.
+  // Truncated, with a header that begins like a text file.
   EXPECT_EQ(stl_error(binary(triangle, "solid part facet").substr(0, 100)).substr(0, 55),
             "a.stl: byte 100: found the end of the file after 100 by");
   EXPECT_EQ(stl_error(binary({})), "a.stl: byte 80: found no faces, expected a mesh");
@@ -126,7 +127,7 @@ TEST(Stl, EachKindOfDamageIsNamed) {
             "a.stl: byte 112: found a coordinate of triangle 0 that is no finite number, expected a number");
 }
 
-TEST(Stl, BytesAfterTheTrianglesArePassedOver) {
+TEST(Stl, BytesAfterTheTrianglesAreIgnored) {
   const std::vector<float> triangle{0, 0, 0, 1, 0, 0, 0, 1, 0};
   for (const char* header : {"", "solid", "solid facet normal endsolid", "COLOR=\x01\x02\x03\xff"}) {
     const std::string bytes = binary(triangle, header) + std::string(37, 'x');
@@ -141,7 +142,7 @@ TEST(Stl, BytesAfterTheTrianglesArePassedOver) {
   }
 }
 
-// The specification gives line ends no meaning but for names.
+// In the specification line ends matter only for names.
 TEST(Stl, ATextMayBeLaidOutInAnyWay) {
   const std::string lines = "solid a b\n" + facet("0 0 0", "1 0 0", "0 1 0") + facet("0 0 0", "0 1 0", "0 0 1") + "endsolid a b\n";
   const auto replaced = [](std::string text, const std::string& end) {
@@ -175,7 +176,7 @@ TEST(Stl, AMissingEndIsNoted) {
   EXPECT_EQ(two->notes, (std::vector<std::string>{"2 missing \"endsolid\""}));
 }
 
-TEST(Stl, FacetsThatAreNowhereAreLeftOutWhenMended) {
+TEST(Stl, FacetsWithoutFiniteCornersAreOmittedWhenMended) {
   for (const char* corner : {"nan 0 0", "0 -inf 0", "0 0 1e400", "-1.#IND 0 0", "0 1.#QNAN 0", "0 0 1.#INF00", "-nan(ind) 0 0"}) {
     const std::string text = "solid a\n" + facet(corner, "1 0 0", "0 1 0") + facet("0 0 0", "1 0 0", "0 1 0") + "endsolid\n";
     const auto mended = read_poly(text, "a.stl", PolyFormat::stl, {.mend = true});
@@ -199,7 +200,7 @@ TEST(Stl, FacetsThatAreNowhereAreLeftOutWhenMended) {
   EXPECT_EQ(some->scene.vertices.size(), 3U);
 }
 
-TEST(Stl, IsToldByWhatItIs) {
+TEST(Stl, IsRecognisedByItsContents) {
   EXPECT_EQ(poly_format_of("scan.off", binary({0, 0, 0, 1, 0, 0, 0, 1, 0})), PolyFormat::stl);
   EXPECT_EQ(poly_format_of("scan.ply", "solid x\n facet normal 0 0 1\n"), PolyFormat::stl);
   EXPECT_EQ(poly_format_of("-", "SOLID x\r FACET NORMAL 0 0 1\r"), PolyFormat::stl);

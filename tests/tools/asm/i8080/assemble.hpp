@@ -1,4 +1,4 @@
-// Short forms for tests of the 8080 assembler: one source text in, bytes and messages out.
+// Helpers for tests of the 8080 assembler: one source text in, bytes and messages out.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,7 @@
-// Where the 8080 assemblers of the time differ. The bytes expected follow from what their manuals say of each construct: Digital
-// Research's of ASM (CP/M Operating System Manual, chapter 3) and MAC, Microsoft's of MACRO-80 (Utility Software Manual, chapter 2),
-// Intel's of the 8080/8085 assembler (9800301). What MAC and MACRO-80 themselves make is in originals_test.cpp.
+// The differences between the 8080 assemblers of the time. The expected bytes follow from their manuals: Digital Research's of
+// ASM
+// (CP/M Operating System Manual, chapter 3) and MAC, Microsoft's of MACRO-80 (Utility Software Manual, chapter 2), Intel's of the
+// 8080/8085 assembler (9800301). originals_test.cpp has bytes made by MAC and MACRO-80 themselves.
 #include "tools/asm/i8080/dialect.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,7 @@ std::string first_message(I8080Dialect dialect, const std::string& text) {
   return all.empty() ? "" : all[0];
 }
 
-// --- What was read without a word as something else ---
+// --- Constructs whose bytes differ without an error ---
 
 // ASM, section 3.2: a comment lasts to the next real or logical end of line, and `!` is a logical one. MACRO-80, 2.3.1: to the
 // carriage return.
@@ -42,7 +43,7 @@ TEST(I8080Dialect, ABangEndsACommentOfDigitalResearch) {
   EXPECT_EQ(bytes(intel, text), (Bytes{0x3E, 1}));
   EXPECT_EQ(bytes(common, text), (Bytes{0x3E, 1}));
   EXPECT_EQ(first_message(common, text),
-            "t.asm:1:16: warning: found '!' in a comment before 'RET', expected --dialect, because with mac a statement begins there");
+            "t.asm:1:16: warning: found '!' in a comment before 'RET', expected --dialect: mac begins a statement there");
   EXPECT_EQ(first_message(common, " NOP ; that is all!\n NOP ; so be it! And no more\n"), "");
   EXPECT_EQ(first_message(common, " NOP ; go! NEXT: is the label\n").substr(0, 26), "t.asm:1:10: warning: found");
 }
@@ -58,7 +59,7 @@ TEST(I8080Dialect, TheLocationOfLaterItems) {
   EXPECT_EQ(first_message(common, " JMP $+3\n DB $\n"), "");
 }
 
-// MACRO-80, 2.7.9: `!` enters the next character of an argument literally, so `!;` and `<;>` are the same; MAC has `^`.
+// MACRO-80, 2.7.9: `!` makes the next character of an argument literal, so `!;` and `<;>` are the same; MAC has `^`.
 TEST(I8080Dialect, TheSignOfLiteralCharacters) {
   const std::string macro = "P MACRO X\n DB X\n ENDM\n";
   EXPECT_EQ(bytes(m80, macro + " P <1!+2>\n"), Bytes{3});
@@ -72,7 +73,7 @@ TEST(I8080Dialect, TheSignOfLiteralCharacters) {
             std::string::npos);
 }
 
-// MACRO-80, 2.3.2: `$` is one of the characters of a name. ASM, section 3.2: it is passed over in names.
+// MACRO-80, 2.3.2: `$` is one of the characters of a name. ASM, section 3.2: it is ignored in names.
 TEST(I8080Dialect, DollarsInNames) {
   EXPECT_EQ(bytes(m80, "$abe EQU 5\nA$B: DB $abe\nAB: DB A$B,AB\n"), (Bytes{5, 0, 1}));
   EXPECT_EQ(bytes(m80, "$name: JMP $name\n"), (Bytes{0xC3, 0, 0}));
@@ -109,7 +110,7 @@ TEST(I8080Dialect, BitZeroOfIf) {
   EXPECT_EQ(first_message(intel, " IF 0FFFFH\n ENDIF\n IF 0\n ENDIF\n"), "");
 }
 
-// MAC, 3.6: HIGH and LOW are the last in the order of application. MACRO-80, 2.4.1, and Intel, chapter 2: the first.
+// MAC, 3.6: HIGH and LOW are applied last. MACRO-80, 2.4.1, and Intel, chapter 2: they are applied first.
 TEST(I8080Dialect, WhatHighTakes) {
   const std::string text = "T EQU 12FFH\n DB HIGH T+1, LOW T OR 100H AND 0FFH, (HIGH T)+1, 1 OR HIGH T\n";
   EXPECT_EQ(bytes(mac, text), (Bytes{0x13, 0xFF, 0x13, 0x13}));
@@ -124,7 +125,7 @@ TEST(I8080Dialect, WhatHighTakes) {
 
 // --- The listings of MAC 2.0 in its manual ---
 
-// The bytes of DB lines as they are printed there: strings with `'` and numbers.
+// The bytes of DB lines in the form of the listing: strings with `'`, and numbers.
 Bytes operator+(Bytes bytes, const std::string& text) {
   bytes.insert(bytes.end(), text.begin(), text.end());
   return bytes;
@@ -134,7 +135,7 @@ Bytes operator+(Bytes bytes, std::uint8_t byte) {
   return bytes;
 }
 
-// Figure 19; the last line but one is assembled in the listing at 0086, whatever the text beside it says of NUL ''.
+// Figure 19; the listing assembles the last line but one at 0086, although the text says otherwise of NUL ''.
 TEST(I8080MacManual, TestsOfEmptyParameters) {
   const std::string text =
       " IF NUL\n DB 'true case'\n ELSE\n DB 'false case'\n ENDIF\n"
@@ -165,7 +166,7 @@ TEST(I8080MacManual, EvaluationOfParameters) {
 }
 
 // Figure 24.
-TEST(I8080MacManual, BracketsAreTakenOffOneByOne) {
+TEST(I8080MacManual, BracketsAreRemovedOneByOne) {
   const std::string text =
       "IRPM1 MACRO X\n IRP Y,X\nY: NOP\n ENDM\n ENDM\n IRPM1 <<ONE,TWO,THREE>>\n"
       "IRPM2 MACRO X\n IRP Y,<X>\nY: NOP\n ENDM\n ENDM\n IRPM2 <FOUR,FIVE,SIX>\n"
@@ -193,19 +194,19 @@ TEST(I8080MacManual, StringsAndEscapesInArguments) {
                          "what's qoing on?";
   ASSERT_EQ(expected.size(), 0x93U);
   EXPECT_EQ(bytes(mac, text), expected);
-  // As before in the other dialects: an apostrophe more at each call.
+  // In the other dialects each call needs one more apostrophe.
   EXPECT_EQ(bytes(m80, "Q MACRO Y\n DB Y\n ENDM\n Q 'a''b'\n"), Bytes{} + "a'b");
 }
 
-// --- Warnings of the common language where the bytes of a dialect would be others ---
+// --- Warnings of the common language where a dialect would make other bytes ---
 
 TEST(I8080Dialect, WordsOfTwoCharacters) {
   EXPECT_EQ(bytes(mac, " DW 'AB'\n LXI H,'AB'\n"), (Bytes{0x41, 0x42, 0x21, 0x41, 0x42}));
   EXPECT_EQ(bytes(m80, " DW 'AB'\n LXI H,'AB'\n"), (Bytes{0x42, 0x41, 0x21, 0x42, 0x41}));
   EXPECT_EQ(bytes(common, " DW 'AB'\n"), (Bytes{0x42, 0x41}));
   EXPECT_EQ(first_message(common, " DW 'AB'\n"),
-            "t.asm:1:5: warning: found ''AB'' as a value, expected --dialect, because its first character is taken for the high byte, and in "
-            "MAC it is the low byte");
+            "t.asm:1:5: warning: found ''AB'' as a value, expected --dialect: its first character is the high byte here, the low "
+            "byte in MAC");
   EXPECT_EQ(first_message(common, " DW 'AA','A'\n DB 'AB'\n"), "");
 }
 
@@ -217,11 +218,11 @@ TEST(I8080Dialect, DivisionsWithSign) {
   EXPECT_EQ(first_message(common, " DW 7/2,7 MOD 4,-7/2\n"), "");
 }
 
-// MAC 2.0 marks all of these with E; what it takes without E has no warning.
-TEST(I8080Dialect, PrefixesBehindStrongerOperatorsOfMac) {
+// MAC 2.0 marks all of these with E; those that it accepts get no warning.
+TEST(I8080Dialect, PrefixesAfterOperatorsOfHigherPrecedenceInMac) {
   for (const char* refused : {"5--3", "5-NOT 3", "5*-3", "6/-3", "1 EQ NOT 0FFFEH", "5-HIGH 300H", "5*LOW 3", "- -5", "2*NOT 1", "1 OR HIGH 300H",
                               "1 EQ HIGH 100H", "NOT HIGH 100H", "HIGH LOW 5", "-HIGH 300H", "-NOT 1"}) {
-    EXPECT_NE(first_message(mac, std::string(" DW ") + refused + "\n").find("behind a stronger operator"), std::string::npos) << refused;
+    EXPECT_NE(first_message(mac, std::string(" DW ") + refused + "\n").find("after an operator of higher precedence"), std::string::npos) << refused;
     EXPECT_EQ(first_message(m80, std::string(" DW ") + refused + "\n"), "") << refused;
   }
   for (const char* taken : {"-5*3", "5 AND NOT 4", "5 XOR NOT 4", "5-+3", "5 OR -1", "5 EQ -1", "5 SHL (-1)", "HIGH 300H+1", "HIGH NOT 0", "HIGH -1",
@@ -229,7 +230,7 @@ TEST(I8080Dialect, PrefixesBehindStrongerOperatorsOfMac) {
     EXPECT_EQ(first_message(mac, std::string(" DW ") + taken + "\n"), "") << taken;
 }
 
-TEST(I8080Dialect, LongNamesAreWarnedOf) {
+TEST(I8080Dialect, LongNamesDrawAWarning) {
   EXPECT_EQ(first_message(intel, "SEVENCH: NOP\n"),
             "t.asm:1:1: warning: found 'SEVENCH' of 7 characters, expected at most 6, which are all that count with --dialect intel");
   EXPECT_EQ(first_message(m80, "SIXTEENCHARACTER: NOP\n"), "");
@@ -238,7 +239,7 @@ TEST(I8080Dialect, LongNamesAreWarnedOf) {
   EXPECT_EQ(first_message(common, "SEVENTEENCHARACTS: NOP\n"), "");
 }
 
-// --- What all of them have ---
+// --- Common to all dialects ---
 
 TEST(I8080Dialect, RelationsBySign) {
   EXPECT_EQ(bytes(m80, " DB 1=1,1<>1,1<2,2<=1,2>1,1>=2\n"), (Bytes{0xFF, 0, 0xFF, 0, 0xFF, 0}));
@@ -257,7 +258,7 @@ TEST(I8080Dialect, ALabelOnEndm) {
   EXPECT_EQ(bytes(m80, "P MACRO\n JMP DONE\nDONE: ENDM\n P\n NOP\n"), (Bytes{0xC3, 3, 0, 0}));
 }
 
-TEST(I8080Dialect, WhatIsOpenAtTheEnd) {
+TEST(I8080Dialect, OpenConditionalsAtTheEnd) {
   EXPECT_EQ(bytes(m80, "P MACRO\n IF 1\n DB 1\n ENDM\n P\n DB 2\n"), (Bytes{1, 2}));
   EXPECT_EQ(first_message(m80, " IF 1\n DB 1\n END\n").substr(0, 20), "t.asm:1:2: warning: ");
 }
@@ -286,15 +287,15 @@ TEST(I8080Dialect, DirectivesOfMacro80) {
   EXPECT_EQ(bytes(m80, "P MACRO X\n DB X\n ENDM\n .RADIX 16\n P %0FE\n .RADIX 2\n P %101\n"), (Bytes{0xFE, 5}));
 }
 
-TEST(I8080Dialect, CommonBlocksOfANameLieOverEachOther) {
+TEST(I8080Dialect, CommonBlocksOfOneNameOverlap) {
   EXPECT_EQ(bytes(m80, " DB 1\n COMMON /C/\nA1: DS 2\nB1: DB 9\n CSEG\n DB 2\n COMMON /C/\nA2: DS 2\n CSEG\n DB A1,A2\n"),
             (Bytes{1, 0, 0, 9, 2, 1, 1}));
   EXPECT_FALSE(assembled(m80, " COMMON /C/\n DS 1\n CSEG\n COMMON /C/\n DS 2\n").ok());
   EXPECT_FALSE(assembled(m80, " COMMON C\n").ok());
 }
 
-// Utility Software Manual, 2.6.1, 2.6.3, 2.6.7, 2.6.15: a segment goes on where it was left, and ORG is of the segment it is in.
-TEST(I8080Dialect, SegmentsGoOnWhereTheyWereLeft) {
+// Utility Software Manual, 2.6.1, 2.6.3, 2.6.7, 2.6.15: a segment continues where it was left, and ORG sets the current segment.
+TEST(I8080Dialect, SegmentsContinueWhereTheyWereLeft) {
   const auto assembly = assembled(m80,
                                   " ORG 100H\n DB 1\n DSEG\n ORG 200H\nV: DB 2\n CSEG\n DB 3\n DSEG\nW: DB 4\n ASEG\n ORG 8\n DB 5\n CSEG\n"
                                   "X: DW V,W,X\n ASEG\n DB 6\n END\n");
@@ -306,7 +307,7 @@ TEST(I8080Dialect, SegmentsGoOnWhereTheyWereLeft) {
     if (assembly.image.used(static_cast<std::uint16_t>(at)))
       made.emplace_back(at, assembly.image[static_cast<std::uint16_t>(at)]);
   EXPECT_EQ(made, expected);
-  // Without an ORG of its own a segment is laid behind what was before it, and no byte falls on another.
+  // Without an ORG a segment follows the code before it, and no bytes overlap.
   EXPECT_EQ(bytes(m80, " ORG 100H\n DB 1\n DSEG\nV: DB 2\n CSEG\n DB 3\n DSEG\n DB LOW V\n CSEG\n ORG 110H\n DSEG\nW: DB LOW W\n"),
             (Bytes{1, 2, 3, 1, 4}));
 }
@@ -323,8 +324,8 @@ TEST(I8080Dialect, ExternalsAreFoundInOtherSourcesOfTheCommand) {
   EXPECT_EQ(bytes_of(assembly), (Bytes{0xCD, 3, 0, 0xC9}));
 }
 
-// MACRO-80, 2.6.10 and 2.6.12; RMAC and Intel, chapter 4: a name is that of its module unless PUBLIC says otherwise.
-TEST(I8080Dialect, NamesOfAModuleAreItsOwn) {
+// MACRO-80, 2.6.10 and 2.6.12; RMAC and Intel, chapter 4: a name is local to its module unless PUBLIC declares it.
+TEST(I8080Dialect, NamesOfAModuleAreLocal) {
   const std::vector<SourceFile> sources{
       {"a.asm", " PUBLIC START,OUT\n EXTRN PUTC\nSTART: CALL PUTC\nLOOP: JMP LOOP\nN EQU 5\nOUT: DB N\n"},
       {"b.asm", "LOOP: JMP LOOP\nN SET 6\nN SET N+1\nPUTC:: DB N\n LXI H,OUT##\n"},
@@ -337,13 +338,13 @@ TEST(I8080Dialect, NamesOfAModuleAreItsOwn) {
     EXPECT_EQ(bytes_of(assembly), (Bytes{0xCD, 10, 0, 0xC3, 3, 0, 5, 0xC3, 7, 0, 7, 0x21, 6, 0, 0xC3, 14, 0, 0xCD, 0, 0}));
     EXPECT_EQ(assembly.diagnostics.size(), 0U);
   }
-  // A name of -D is one of all of them.
+  // A name of -D is common to all modules.
   I8080Options options;
   options.defines.push_back({"N", 9});
   EXPECT_EQ(bytes_of(assemble_i8080(sources, options))[6], 9);
 }
 
-TEST(I8080Dialect, NamesOfModulesThatDoNotMeet) {
+TEST(I8080Dialect, UndeclaredNamesBetweenModules) {
   const auto first = [](const std::string& a, const std::string& b) {
     const auto all = messages(assemble_i8080(std::vector<SourceFile>{{"a.asm", a}, {"b.asm", b}}));
     return all.empty() ? std::string() : all[0];
@@ -357,14 +358,14 @@ TEST(I8080Dialect, NamesOfModulesThatDoNotMeet) {
   EXPECT_EQ(first(" PUBLIC X\nX: RET\n", " PUBLIC X\nX: RET\n"),
             "b.asm:2:1: error: found a second definition of 'X', expected one, at a.asm:2");
   EXPECT_EQ(first(" PUBLIC X\n", " NOP\n"), "a.asm:1:9: warning: found public symbol 'x' without a definition, expected one in this source");
-  // Without PUBLIC and EXTRN they are one program, as before.
+  // Without PUBLIC and EXTRN they are one program.
   EXPECT_EQ(first("X: RET\n", "X: RET\n"), "b.asm:1:1: error: found a second definition of 'X', expected one, at a.asm:1");
   EXPECT_EQ(first("X: RET\n", " JMP X\n"), "");
 }
 
 // --- Laws ---
 
-TEST(I8080Dialect, TheDisassemblerIsReadTheSameInEach) {
+TEST(I8080Dialect, DisassembliesReadTheSameInEachDialect) {
   std::mt19937 random(1974);
   for (int program = 0; program < tests::effort(1000, 100); ++program) {
     image::ByteImage image;
@@ -385,7 +386,7 @@ TEST(I8080Dialect, TheDisassemblerIsReadTheSameInEach) {
   }
 }
 
-TEST(I8080Dialect, NamesAndRowsAreWhole) {
+TEST(I8080Dialect, NamesAndRowsAreComplete) {
   for (const std::string_view name : i8080_dialect_names) {
     const auto dialect = i8080_dialect_named(name);
     ASSERT_TRUE(dialect) << name;

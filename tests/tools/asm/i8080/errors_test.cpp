@@ -1,4 +1,4 @@
-// What the 8080 assembler refuses, and how it says so.
+// The errors of the 8080 assembler and their messages.
 #include <gtest/gtest.h>
 
 #include "tests/tools/asm/i8080/assemble.hpp"
@@ -22,7 +22,7 @@ TEST(I8080Errors, AllOfOneRunWithPlaceFoundAndExpected) {
   EXPECT_TRUE(assembly.image.empty());
 }
 
-TEST(I8080Errors, OneMistakeOneMessage) {
+TEST(I8080Errors, OneErrorGivesOneMessage) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {" MVI A\n", "1:7: error: found the end of the statement, expected ','"},
       {" MVI A,\n", "1:8: error: found the end of the statement, expected a value"},
@@ -58,7 +58,7 @@ TEST(I8080Errors, OneMistakeOneMessage) {
       {"X EQU Y\n ORG X\nY EQU 5",
        "2:6: error: found a forward reference, expected an address known at this line"},
       {"X EQU X+1",
-       "1:7: error: found 'X', whose own value is not known, expected an EQU that does not rest on itself"},
+       "1:7: error: found 'X', whose value is not known, expected an EQU that does not depend on itself"},
       {" .Z80", "1:2: error: found '.Z80', expected 8080 source with Intel's mnemonics"},
       {" CPU Z80", "1:6: error: found 'Z80', expected 8080"},
       {" EXTRN PUTC\n CALL PUTC",
@@ -107,7 +107,7 @@ TEST(I8080Errors, IncludedFilesAreNamed) {
                    "includes itself"}));
 }
 
-TEST(I8080Errors, WhatDoesNotEnd) {
+TEST(I8080Errors, EndlessRecursionAndRepeats) {
   I8080Options options;
   options.most_lines = 5000;
   const auto last = [&](const std::string& text) { return messages(assemble8080(text, options)); };
@@ -123,7 +123,7 @@ TEST(I8080Errors, WhatDoesNotEnd) {
   EXPECT_FALSE(assemble8080(chain).ok());
 }
 
-TEST(I8080Errors, WarningsLetTheProgramBe) {
+TEST(I8080Errors, WarningsDoNotPreventOutput) {
   const auto twice = assemble8080(" DB 1,2\n ORG 1\n DB 3\n");
   EXPECT_EQ(messages(twice), one("3:1: warning: found a second byte for address 0001, expected one"));
   EXPECT_EQ(bytes_of(twice), (Bytes{1, 3}));
@@ -131,7 +131,7 @@ TEST(I8080Errors, WarningsLetTheProgramBe) {
             one("4:6: warning: found 2 arguments, expected at most 1 for P"));
 }
 
-TEST(I8080Errors, AnyNumberOfWarningsLetsTheProgramBe) {
+TEST(I8080Errors, ManyWarningsDoNotPreventOutput) {
   const std::string warned = " REPT 1500\n ORG 0\n DB 1\n ENDM\n";
   const auto assembly = assemble8080(warned);
   EXPECT_TRUE(assembly.ok());
@@ -142,7 +142,7 @@ TEST(I8080Errors, AnyNumberOfWarningsLetsTheProgramBe) {
   EXPECT_EQ(with_error.diagnostics.back().found, "'FOO'");
 }
 
-TEST(I8080Errors, AByteBehindTheMemoryIsSaidOnceUntilOrg) {
+TEST(I8080Errors, AByteBeyondTheMemoryIsReportedOnceUntilOrg) {
   EXPECT_EQ(messages8080(" ORG 0FFFEH\n DS 3\n NOP\n DS 5\n DS 5,1\n ORG 0FFFFH\n NOP\n NOP\n DB 1,2\n"),
             (Texts{"t.asm:2:5: error: found 3 bytes of space, expected at most 2 up to the end of the 64K",
                    "t.asm:8:1: error: found a byte past FFFF, expected a program within 64K"}));

@@ -1,4 +1,4 @@
-// The language of the 8080 assembler but macros: instructions, numbers, expressions, data, symbols, files.
+// The language of the 8080 assembler without macros: instructions, numbers, expressions, data, symbols, files.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -9,7 +9,7 @@
 namespace sightline::assembler {
 namespace {
 
-// Every documented opcode, by the mnemonics of a table that is not the assembler's own.
+// Every documented opcode, by the mnemonics of a table independent of the assembler.
 TEST(I8080Language, EveryInstruction) {
   std::ifstream table(SIGHTLINE_TEST_DATA "/i8080/opcode-timing.csv");
   std::string line;
@@ -48,7 +48,7 @@ TEST(I8080Language, Numbers) {
   EXPECT_EQ(bytes8080(" DW 65535,0FFFFH,0BH,0DH,1BH"), (Bytes{255, 255, 255, 255, 11, 0, 13, 0, 27, 0}));
 }
 
-// Values worked out by Intel's order: HIGH LOW; * / MOD SHL SHR; + -; relations; NOT; AND; OR XOR.
+// Values computed by Intel's precedence: HIGH LOW; * / MOD SHL SHR; + -; relations; NOT; AND; OR XOR.
 TEST(I8080Language, Precedence) {
   const std::vector<std::pair<std::string, int>> cases{
       {"2+3*4", 14},          {"(2+3)*4", 20},
@@ -91,7 +91,7 @@ TEST(I8080Language, Data) {
             (Bytes{0xE6, 0x7F, 0xE6, 0x7F, 0xE6, 0x7F, 0xFF}));
 }
 
-TEST(I8080Language, SpaceIsNotGiven) {
+TEST(I8080Language, SpaceStaysUndefined) {
   const auto assembly = assemble8080(" ORG 10H\n DB 1\n DS 3\n DB 2\n DS 9\n");
   EXPECT_EQ(assembly.image.count(), 2U);
   EXPECT_TRUE(assembly.image.used(0x14));
@@ -117,7 +117,7 @@ TEST(I8080Language, LabelsAndStatements) {
   EXPECT_EQ(bytes8080("READ$BYTE: DB 1\n?X@._1: DB LOW READBYTE+1"), (Bytes{1, 1}));
 }
 
-TEST(I8080Language, NamesOfDirectivesAreFreeForLabels) {
+TEST(I8080Language, LabelsMayHaveNamesOfDirectives) {
   EXPECT_EQ(bytes8080("PAGE EQU 100H\nWORD EQU 2\nENTRY: LXI H,PAGE\n DS WORD\n JMP ENTRY\n"),
             (Bytes{0x21, 0, 1, 0, 0, 0xC3, 0, 0}));
 }
@@ -134,7 +134,7 @@ TEST(I8080Language, Symbols) {
   EXPECT_EQ(write_i8080_symbols(assembly.symbols), "A1 0005\nB1 0004\nC1 0003\nLL 0003\nS 0002\n");
 }
 
-TEST(I8080Language, DefinesWin) {
+TEST(I8080Language, DefinesOverrideTheSource) {
   I8080Options options;
   options.defines = {{"Size", 3}};
   EXPECT_EQ(bytes_of(assemble8080("SIZE EQU 7\n DB SIZE\n IF SIZE EQ 3\n DB 1\n ENDIF", options)),
@@ -183,15 +183,15 @@ TEST(I8080Language, SeveralSourcesAreOneProgram) {
   EXPECT_EQ(assembly.image.start, 3);
 }
 
-TEST(I8080Language, WhatChangesNothing) {
+TEST(I8080Language, DirectivesWithoutEffect) {
   EXPECT_EQ(bytes8080(" NAME ('x')\n TITLE 'don''t!'\n PAGE 60\n ASEG\n CSEG\n DSEG\n PUBLIC X,Y\n .8080\n "
                       "CPU 8080\n .XLIST\n"
                       " EXTRN ELSEWHERE\nX: NOP"),
             Bytes{0});
 }
 
-// They are no reserved words in CP/M's ASM.
-TEST(I8080Language, DirectivesThatChangeNothingAreLabelsInColumn1) {
+// They are not reserved words in CP/M's ASM.
+TEST(I8080Language, DirectivesWithoutEffectAreLabelsInColumn1) {
   const auto assembly = assemble8080(
       "ENTRY LXI H,1234H\nNAME DB 'FOO'\nPAGE DS 1\nTITLE DB 1\nglobal dw 2\n JMP NAME\n LDA TITLE");
   EXPECT_EQ(messages(assembly), Texts{});

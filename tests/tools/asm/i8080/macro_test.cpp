@@ -80,7 +80,7 @@ TEST(I8080Macro, WhatFollowsACallOnItsLineComesAfterIt) {
   EXPECT_EQ(bytes8080("P MACRO ! DB 5 ! ENDM ! P ! P"), (Bytes{5, 5}));
 }
 
-TEST(I8080Macro, PrivateCommentsStayBehind) {
+TEST(I8080Macro, PrivateCommentsAreNotExpanded) {
   const auto assembly = assemble8080("P MACRO\n NOP ;; private\n RET ; public\n ENDM\n P\n");
   const std::string listing = write_listing(assembly.listing);
   EXPECT_EQ(listing.find("+ NOP ;;"), std::string::npos) << listing;

@@ -1,6 +1,6 @@
-// What the assemblers of the time make of sources: MAC 2.0 of Digital Research ("CP/M MACRO ASSEM 2.0") and MACRO-80 3.44 of
-// Microsoft (09-Dec-81), run as CP/M programs by this repository's 8080. Each row was assembled there without an error, and the
-// bytes are those of its HEX or REL file (MACRO-80 with ASEG before). The programs themselves are not in the repository.
+// The output of the assemblers of the time: MAC 2.0 of Digital Research ("CP/M MACRO ASSEM 2.0") and MACRO-80 3.44 of Microsoft
+// (09-Dec-81), run as CP/M programs by this repository's 8080. Each row assembled there without an error; the bytes are those of
+// its HEX or REL file (for MACRO-80 with a preceding ASEG). The programs themselves are not in the repository.
 #include <gtest/gtest.h>
 
 #include "tests/tools/asm/i8080/assemble.hpp"

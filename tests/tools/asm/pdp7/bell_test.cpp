@@ -1,6 +1,5 @@
-// The dialect of Bell Laboratories' `as` of 1970. The words are worked out by hand from the instruction
-// formats (P4-17 to P4-23, P4-58) and from as.s, the assembler's own source (pdp7-unix, scans/as.s), whose
-// labels each test names.
+// The dialect of Bell Laboratories' `as` of 1970. The words are worked out by hand from the instruction formats (P4-17 to P4-23,
+// P4-58) and from as.s, the assembler's own source (pdp7-unix, scans/as.s), whose labels each test names.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -24,7 +23,7 @@ Assembly bell(std::string text) {
   return assemble(std::move(text), bell_options());
 }
 
-// What a source makes at location 0 and on.
+// The words of a source from location 0 on.
 Words words_at_0(const std::string& text) {
   const Assembly a = bell(".. = 0\n" + text);
   EXPECT_EQ(messages(a), Texts{}) << text;
@@ -36,7 +35,7 @@ std::string first_message(const std::string& text) {
   return all.empty() ? "no message" : all.front();
 }
 
-// gs3: radix 8 after a leading 0, else 10. d80 and o17 are names like others.
+// gs3: radix 8 after a leading 0, else 10. d80 and o17 are ordinary names.
 TEST(BellLanguage, NumbersAreDecimalOrOctalWithALeading0) {
   EXPECT_EQ(words_at_0("10\n010\n0\n262143\n0777777\nd80: 80\no17: 017; lac d80; lac o17"),
             (Words{012, 010, 0, 0777777, 0777777, 0120, 017, 0200005, 0200006}));
@@ -47,13 +46,12 @@ TEST(BellLanguage, MinusIsTwosComplement) {
   EXPECT_EQ(words_at_0("-1\n-129\n5-5\n3-5\n-1+2\n+7"), (Words{0777777, 0777577, 0, 0777776, 1, 7}));
 }
 
-// expr: r has the sum until a blank ORs it into srand. 9+7 is 16, 020.
-TEST(BellLanguage, PlusAndMinusBindMoreCloselyThanBlanks) {
+// expr: r accumulates the sum until a blank ORs it into srand. 9+7 is 16, 020.
+TEST(BellLanguage, PlusAndMinusBindMoreTightlyThanBlanks) {
   EXPECT_EQ(words_at_0("1 2 4\n5 4\n1 9+7\n9+7 1\n1 + 2 4\n6 -2 1"), (Words{7, 5, 021, 021, 7, 5}));
 }
 
-// The indirect bit is ORed wherever it stands: a trailing i as in the kernel, a leading one as in as.s
-// itself.
+// The indirect bit is ORed at any position: a trailing i as in the kernel, a leading one as in as.s itself.
 TEST(BellLanguage, InstructionsAndTheTrailingI) {
   EXPECT_EQ(
       words_at_0("x: lac x\ndac x+1 i\ndac i 8\njmp .-1\njms x i\nspa cla\ncla cma\nlrss 9\nalss 9\nllss 27\n"
@@ -62,7 +60,7 @@ TEST(BellLanguage, InstructionsAndTheTrailingI) {
              0760017, 0400000}));
 }
 
-// lactab: `;` has the class of the end of a line (5), `"` stops all to it (gchar).
+// lactab: `;` has the class of the end of a line (5), `"` ends the line (gchar).
 TEST(BellLanguage, SemicolonsAndComments) {
   EXPECT_EQ(words_at_0("1;2 ; 3\" 4; 5\n\" 6\n  ;;7\n\n8\""), (Words{1, 2, 3, 7, 010}));
 }
@@ -73,8 +71,7 @@ TEST(BellLanguage, Characters) {
             (Words{0141000, 0141142, 0142, 0141012, 0141142, 076, 073001, 040012, 0141142, 061}));
 }
 
-// How printed sources of 1970 write strings: >x for the right half, blanks and any other sign, a label before
-// `..`.
+// Strings as printed sources of 1970 write them: >x for the right half, blanks and any other character, a label before `..`.
 TEST(BellLanguage, CharactersAsInPrintedSources) {
   EXPECT_EQ(
       words_at_0(
@@ -83,13 +80,13 @@ TEST(BellLanguage, CharactersAsInPrintedSources) {
              0200014, 5, 0200017}));
 }
 
-// assm4: a label is `.`; several can stand before one word.
+// assm4: a label has the value of `.`; several can precede one word.
 TEST(BellLanguage, Labels) {
   EXPECT_EQ(words_at_0("a: b: c : 5\nlac b\nd:\ne: lac d; lac e; Lac: 0\nlac Lac"),
             (Words{5, 0200000, 0200002, 0200002, 0, 0200004}));
 }
 
-// assm3 counts the definitions of 0 to 9; gs3 looks for the count of f and the last of b.
+// assm3 counts the definitions of 0 to 9; gs3 finds the next one for f and the last one for b.
 TEST(BellLanguage, RelativeLabels) {
   EXPECT_EQ(
       words_at_0(
@@ -105,7 +102,7 @@ TEST(BellLanguage, TemporariesBy9fPlusT) {
   EXPECT_EQ(words(a, 2), (Words{7}));
 }
 
-// process adds the value of `..`, 4096, to what has one relocatable term, and to the location.
+// process adds the value of `..`, 4096, to values with one relocatable term, and to the location.
 TEST(BellLanguage, RelocatableWordsBeginAt4096) {
   const Assembly a = bell("a: lac a\n1\nb: b-a\nx = 5\nlac x\n. = 020\nb");
   EXPECT_EQ(messages(a), Texts{});
@@ -116,7 +113,7 @@ TEST(BellLanguage, RelocatableWordsBeginAt4096) {
   EXPECT_EQ(words(bell("..=0100\na: lac a; lac .."), 0100), (Words{0200100, 0200100}));
 }
 
-// The names of system calls are those of the sources; sys is cal i, 020000.
+// The sources define the names of system calls; sys is cal i, 020000.
 TEST(BellLanguage, SystemCalls) {
   EXPECT_EQ(words_at_0("open = 3; write=5\nsys open; name; 0\nsys write\nname: <na>"),
             (Words{020003, 4, 0, 020005, 0156141}));
@@ -130,7 +127,7 @@ TEST(BellLanguage, SeveralSourcesAreOneProgram) {
   EXPECT_EQ(words(a), (Words{0200004, 0600003, 0200004, 5, 1, 0600003}));
 }
 
-// gs2: eight characters, and no lower case for upper.
+// gs2: eight characters count; upper and lower case differ.
 TEST(BellLanguage, EightCharactersOfANameCount) {
   const Assembly a = bell("..=0\nabcdefgh1: 7\nlac abcdefgh2\nA: 1\na: 2\nlac a\n.x.y: 3");
   EXPECT_EQ(words(a), (Words{7, 0200000, 1, 2, 0200003, 3}));
@@ -139,7 +136,7 @@ TEST(BellLanguage, EightCharactersOfANameCount) {
                    "differ in their first eight characters"}));
 }
 
-// A file such as sop.s says again what the instruction table says; the instructions stay known as such.
+// A file such as sop.s repeats the instruction table; the symbols stay instructions.
 TEST(BellLanguage, SourcesMayDefineTheInstructions) {
   EXPECT_EQ(words_at_0("lac = 0200000\ni = 020000\nmine = 0700501\nlac 5 i\nmine"),
             (Words{0220005, 0700501}));
@@ -148,17 +145,17 @@ TEST(BellLanguage, SourcesMayDefineTheInstructions) {
       "t.s:2:1: error: found word 177777, which is no lac, expected an operand from 0 to 017777, and i");
 }
 
-// as.s has no names of its own, so its source can have a label iof.
+// as.s has no predefined names, so its source can have a label iof.
 TEST(BellLanguage, LabelsHideInstructions) {
   const Assembly a = bell("..=0\nlac iof\niof: 5");
   EXPECT_EQ(words(a), (Words{0200001, 5}));
   EXPECT_EQ(
       messages(a),
-      (Texts{"t.s:3:1: warning: found label 'iof', which hides the instruction of this name, expected a "
-             "name of its own"}));
+      (Texts{"t.s:3:1: warning: found label 'iof', which hides the instruction of this name, expected "
+             "another name"}));
 }
 
-TEST(BellLanguage, DefinesWinOverAssignments) {
+TEST(BellLanguage, DefinesOverrideAssignments) {
   Options options = bell_options();
   options.defines = {{"t", core::Word18(5)}};
   EXPECT_EQ(words(assemble("..=0\nt=3\nt", options)), (Words{5}));
@@ -172,9 +169,9 @@ TEST(BellLanguage, ListingHasEveryWord) {
   EXPECT_EQ(a.listing[2].code, "000002");
 }
 
-// --- What is refused ---
+// --- Errors ---
 
-// Each construct of the other dialect is named with that dialect; none makes a word in silence.
+// The message for each construct of the other dialect names that dialect; none makes a word silently.
 TEST(BellErrors, ConstructsOfDecAreNamedWithTheirDialect) {
   const std::string dec = "--dialect dec";
   for (const std::string source : {"begin, lac 5", "lac (5", "lac 5 / comment", "lac a#", "lac $a", "1!2",
@@ -188,7 +185,7 @@ TEST(BellErrors, ConstructsOfDecAreNamedWithTheirDialect) {
   }
 }
 
-TEST(BellErrors, EachIsNamedWithItsPlace) {
+TEST(BellErrors, EachHasItsPosition) {
   const auto expect = [](const std::string& source, const std::string& message) {
     EXPECT_EQ(first_message(source), "t.s:" + message) << source;
   };
@@ -196,16 +193,16 @@ TEST(BellErrors, EachIsNamedWithItsPlace) {
       "lac nowhere",
       "1:5: error: found undefined name 'nowhere', expected a label or an assignment in one of the sources");
   expect("begin, lac 5",
-         "1:1: error: found 'begin', a tag of --dialect dec, expected a label, with ':' behind the name");
+         "1:1: error: found 'begin', a tag of --dialect dec, expected a label, with ':' after the name");
   expect("08",
          "1:1: error: found '8' in octal number '08', expected octal digits; a decimal number begins with "
          "another "
          "digit than 0");
   expect("262144", "1:1: error: found number '262144', expected at most 0777777, which is 18 bits");
-  expect("a: 1\na: 2", "2:1: error: found label 'a', already defined at t.s:1, expected a name of its own");
+  expect("a: 1\na: 2", "2:1: error: found label 'a', already defined at t.s:1, expected another name");
   expect("a: 1\na = 2",
-         "2:1: error: found an assignment to 'a', which is a label, expected a name of its own");
-  expect("jmp 1f", "1:5: error: found '1f' without a label 1: behind it, expected the label, or 1b");
+         "2:1: error: found an assignment to 'a', which is a label, expected another name");
+  expect("jmp 1f", "1:5: error: found '1f' without a label 1: after it, expected the label, or 1b");
   expect("jmp 1b\n1: 0", "1:5: error: found '1b' without a label 1: before it, expected the label, or 1f");
   expect("12: 0", "1:1: error: found '12:', expected a relative label 0: to 9:, or a name");
   expect("10f", "1:1: error: found '10f', expected a number, or a relative label 0b to 9b or 0f to 9f");
@@ -219,11 +216,11 @@ TEST(BellErrors, EachIsNamedWithItsPlace) {
   expect("law -3",
          "1:1: error: found word 757775, which is no law, expected an operand that fits the instruction");
   expect("<\"a",
-         "1:1: error: found no character behind '<', expected another than '\"', which begins a comment; its "
+         "1:1: error: found no character after '<', expected another than '\"', which begins a comment; its "
          "code "
          "is 042");
   expect("<\n",
-         "1:1: error: found no character behind '<', expected one of ASCII, blank to '~', or its code as a "
+         "1:1: error: found no character after '<', expected one of ASCII, blank to '~', or its code as a "
          "number");
   expect(
       "1\n..=0",
@@ -264,8 +261,7 @@ TEST(BellErrors, AllOfAProgramInOneRun) {
   EXPECT_EQ(a.diagnostics[4].line, 3U);
 }
 
-// Random programs whose words the generator knows, because it counts the locations and knows the codes
-// itself.
+// Random programs with known words: the generator counts the locations and has its own table of codes.
 class Generated {
  public:
   explicit Generated(unsigned seed) : dice_(seed) {
@@ -327,7 +323,7 @@ class Generated {
   Words words_;
 };
 
-TEST(BellLanguage, GeneratedProgramsHaveTheirWords) {
+TEST(BellLanguage, GeneratedProgramsHaveTheExpectedWords) {
   for (unsigned seed = 0; seed < 50; ++seed) {
     const Generated program(seed);
     const Assembly at_0 = bell("..=0\n" + program.text());
@@ -338,8 +334,9 @@ TEST(BellLanguage, GeneratedProgramsHaveTheirWords) {
   }
 }
 
-// As large as the kernel of 1970, with labels of both kinds. It takes some milliseconds; the limit is for
-// sanitizers on a busy machine, and finds what is not linear.
+// As large as the kernel of 1970, with labels of both kinds. It takes some milliseconds; the limit allows for sanitizers on a
+// busy
+// machine and detects superlinear time.
 TEST(BellLanguage, ThreeThousandWords) {
   std::string text = "..=0\n";
   for (int i = 0; i < 1000; ++i) {

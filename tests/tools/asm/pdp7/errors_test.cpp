@@ -1,4 +1,4 @@
-// Every kind of mistake in a source, with the place and the words of its message.
+// Every kind of error in a source, with the position and text of its message.
 #include <gtest/gtest.h>
 
 #include "tests/tools/asm/assemble.hpp"
@@ -18,7 +18,7 @@ void PrintTo(const Mistake& mistake, std::ostream* out) {
 
 class Pdp7Errors : public testing::TestWithParam<Mistake> {};
 
-TEST_P(Pdp7Errors, SaysWhatAndWhere) {
+TEST_P(Pdp7Errors, HaveTheirMessageAndPosition) {
   const Assembly assembly = assemble(GetParam().source);
   EXPECT_EQ(messages(assembly), Texts{GetParam().message});
   EXPECT_EQ(assembly.ok(), std::string(GetParam().message).find("error:") == std::string::npos);
@@ -63,14 +63,14 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"rotates", "ral rar",
                 "t.s:1:5: warning: found left and right rotate in one word, expected one of them"},
         Mistake{"tag_twice", "a, 1\na, 2",
-                "t.s:2:1: error: found symbol 'a', already defined at t.s:1, expected a name of its own"},
+                "t.s:2:1: error: found symbol 'a', already defined at t.s:1, expected another name"},
         Mistake{"tag_permanent", "add, 1",
-                "t.s:1:1: error: found permanent symbol 'add' as a tag, expected a name of its own"},
+                "t.s:1:1: error: found permanent symbol 'add' as a tag, expected another name"},
         Mistake{"assign_tag", "a, 1\na=2",
-                "t.s:2:1: error: found an assignment to 'a', which is a tag, expected a name of its own"},
+                "t.s:2:1: error: found an assignment to 'a', which is a tag, expected another name"},
         Mistake{
             "assign_permanent", "add=2\n 1",
-            "t.s:1:1: warning: found an assignment to permanent symbol 'add', expected a name of its own"},
+            "t.s:1:1: warning: found an assignment to permanent symbol 'add', expected another name"},
         Mistake{"mark_tag", "a, 1\nlac #a",
                 "t.s:2:6: error: found '#' at symbol 'a', which is defined otherwise, expected a name of its "
                 "own for a variable"},
@@ -131,13 +131,13 @@ TEST(Pdp7ErrorsAtOnce, AllOfAFileInOneRunInTheirOrder) {
   EXPECT_EQ(messages(assembly),
             (Texts{"one:1:5: error: found undefined symbol 'x', expected a tag, an assignment, or #x",
                    "one:2:2: error: found '9' in number '9', expected octal digits (DECIMAL reads 8 and 9)",
-                   "one:3:4: error: found an assignment to 'a', which is a tag, expected a name of its own",
+                   "one:3:4: error: found an assignment to 'a', which is a tag, expected another name",
                    "two:1:2: error: found address 020000, expected one from 00000 to 17777",
                    "two:2:1: error: found ')', expected a number, a name, '.' or '('",
                    "three:1:7: error: found a second start address, expected one START with an address"}));
 }
 
-TEST(Pdp7ErrorsAtOnce, DeepNestingIsRefusedNotObeyed) {
+TEST(Pdp7ErrorsAtOnce, DeepNestingIsAnError) {
   const auto repeated = [](char c) {  // then a 1
     std::string text(100000, c);
     text.push_back('1');

@@ -1,5 +1,5 @@
-// What sources assemble to. The words are worked out by hand from the instruction formats (P4-17 to P4-23,
-// P4-58) and from the language rules of DIGITAL-7-3-S; programs of the period give the rest.
+// The words that sources assemble to, worked out by hand from the instruction formats (P4-17 to P4-23, P4-58) and from the
+// language rules of DIGITAL-7-3-S, or taken from programs of the time.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -19,7 +19,7 @@ std::string data_file(const std::string& name) {
   return text.str();
 }
 
-TEST(Pdp7Language, RimLoaderOfThePeriod) {
+TEST(Pdp7Language, RimLoaderOfTheTime) {
   const Assembly assembly = assemble(data_file("rim-loader.s"));
   EXPECT_EQ(messages(assembly), Texts{});
   const auto expected = image::read_octal(data_file("rim-loader.octal"), "rim-loader.octal");
@@ -37,7 +37,7 @@ TEST(Pdp7Language, MemoryReferences) {
                              020000, 0220000}));
 }
 
-TEST(Pdp7Language, ExpressionsGoFromLeftToRight) {
+TEST(Pdp7Language, ExpressionsAreEvaluatedFromLeftToRight) {
   const Assembly a = assemble("1+2-4\n6!11&12\n7-3+2\n1 2 3\n10-7!40\n-1+2\n+5\n5+-3\n.\n.+.");
   EXPECT_EQ(messages(a), Texts{});
   EXPECT_EQ(words(a), (Words{0777776, 012, 6, 6, 041, 1, 5, 2, 010, 022}));
@@ -131,7 +131,7 @@ TEST(Pdp7Language, ConditionalsNestAndRunOverLines) {
   EXPECT_EQ(words(a), (Words{1, 3, 4, 7, 010, 012}));
 }
 
-TEST(Pdp7Language, DefinesWinOverTheSource) {
+TEST(Pdp7Language, DefinesOverrideTheSource) {
   Options options;
   options.defines = {{"EAE", core::Word18(0)}, {"size", core::Word18(7)}};
   const Assembly a = assemble("eae=1\nsize=100\nifzero eae <1>\nifnzro eae <2>\nsize", options);
@@ -205,7 +205,7 @@ TEST(Pdp7Language, TitleLineOnRequest) {
   EXPECT_EQ(words(assemble("this is, not code (\n5\ntitle nor this\n6", options)), (Words{5, 6}));
 }
 
-TEST(Pdp7Language, NothingMakesNothing) {
+TEST(Pdp7Language, AnEmptySourceMakesNoWords) {
   EXPECT_TRUE(assemble_pdp7({}).ok());
   EXPECT_TRUE(assemble("").image.words.empty());
   EXPECT_TRUE(assemble("/ only a comment").ok());
@@ -265,13 +265,13 @@ TEST(Pdp7Language, NameEqualsExpressionComma) {
   EXPECT_EQ(messages(assemble("here=, 5")), (Texts{"t.s:1:6: error: found ',', which is this location in the Cambridge dialect, expected a number, a name, '.' or '('"}));
 }
 
-TEST(Pdp7Language, ATagByAnExpressionHasOnePlace) {
+TEST(Pdp7Language, ATagDefinedByAnExpressionHasOneAddress) {
   EXPECT_EQ(messages(assemble("f=jms, 0\nf=jms, 0")),
-            (Texts{"t.s:2:1: error: found symbol 'f', already defined at t.s:1, expected a name of its own"}));
+            (Texts{"t.s:2:1: error: found symbol 'f', already defined at t.s:1, expected another name"}));
   EXPECT_EQ(messages(assemble("f=jms, 0\nf=5")),
-            (Texts{"t.s:2:1: error: found an assignment to 'f', which is a tag, expected a name of its own"}));
+            (Texts{"t.s:2:1: error: found an assignment to 'f', which is a tag, expected another name"}));
   EXPECT_EQ(messages(assemble("lac=jms, 0")),
-            (Texts{"t.s:1:1: error: found permanent symbol 'lac' as a tag, expected a name of its own"}));
+            (Texts{"t.s:1:1: error: found permanent symbol 'lac' as a tag, expected another name"}));
 }
 
 TEST(Pdp7Language, PunchMakesNoWord) {
@@ -280,9 +280,9 @@ TEST(Pdp7Language, PunchMakesNoWord) {
   EXPECT_EQ(words(a), (Words{1, 2, 3, 0200002}));
 }
 
-// DIGITAL-7-3-S, appendix 3. All sources are one program, so the declarations only have to be true.
-// DIGITAL-7-3-S, appendix 3: a program unit's names are its own but for those that it declares.
-TEST(Pdp7Language, NamesOfASourceWithDeclarationsAreItsOwn) {
+// DIGITAL-7-3-S, appendix 3: the undeclared names of a program unit are local to it. All sources are one program, so
+// declarations only need to be consistent.
+TEST(Pdp7Language, NamesOfASourceWithDeclarationsAreLocal) {
   const std::vector<SourceFile> sources{{"a", "100/\nexternal sqrt\nloop, jms sqrt\njmp loop\nn=1\nlac n\nlac v#\n"},
                                         {"b", "internal sqrt\nsqrt, 0\nloop, jmp i sqrt\njmp loop\nn=2\nlac n\nlac v#\n"}};
   const auto assembly = assemble_pdp7(sources);
@@ -290,7 +290,7 @@ TEST(Pdp7Language, NamesOfASourceWithDeclarationsAreItsOwn) {
   const auto word = [&assembly](std::uint32_t at) { return assembly.image.words.at(at).value(); };
   const std::vector<std::uint32_t> expected{0100104, 0600100, 0200001, 0200111, 0, 0620104, 0600105, 0200002, 0200112};
   for (std::uint32_t n = 0; n < expected.size(); ++n) EXPECT_EQ(word(0100 + n), expected[n]) << n;
-  // Two variables, one for each source.
+  // Two variables, one in each source.
   EXPECT_EQ(assembly.image.words.size(), 11U);
   Options options;
   options.defines.push_back({"n", core::Word18(7)});
@@ -335,7 +335,7 @@ TEST(Pdp7Language, OtherAssemblersConstructsAreNamed) {
   }
 }
 
-// Sources of the other dialect are refused by its name, and make no words.
+// The messages for constructs of the other dialect name it; they make no words.
 TEST(Pdp7Language, ConstructsOfBellAreNamedWithTheirDialect) {
   for (const std::string source : {"loop: lac 5", "lac 5 \" comment", "jmp 1f", "jmp 2b", ".=.+5", "<ab>", "sys 5", "1: 0"}) {
     const Assembly a = assemble(source);

@@ -1,6 +1,6 @@
-// Laws and hand-worked cases of the twin's arithmetic. The expectations are the laws of what a routine is for
-// (what is cut is what lay outside), or numbers worked out by hand, never its own
-// output.
+// Laws and hand-computed cases of the twin's arithmetic. Expectations are the laws of a routine (clipping removes exactly what is
+// outside),
+// or numbers computed by hand, never its own output.
 #include "host/programs/jones/twin/arithmetic.hpp"
 
 #include <gtest/gtest.h>
@@ -43,8 +43,9 @@ TEST(JonesMuldiv, OverflowsLikeTheDivider) {
   EXPECT_EQ(muldiv(0777777, 0777777, 0777777), 0777777);
 }
 
-// Differences of coordinates must stay in a word of 18 bits: with two or three fraction bits the bound of large scales is
-// that of a field of 90 degrees, which is outside the window then.
+// Differences of coordinates must fit into a word of 18 bits: with two or three fraction bits the bound at large scales is that
+// of a field
+// of 90 degrees, which is then outside the window.
 TEST(JonesWindow, BoundLiesOutsideTheWindowAndKeepsDifferencesInAWord) {
   for (int bits = 0; bits <= 3; ++bits) {
     for (const Pass pass : {Pass::mono, Pass::left, Pass::right}) {
@@ -74,7 +75,7 @@ TEST(JonesWindow, HalvesOfAStereoPairMeetAtTheMiddleOfTheScreen) {
   }
 }
 
-TEST(JonesSeg3, KeepsExactlyWhatIsInsideTheBound) {
+TEST(JonesSeg3, KeepsExactlyThePartInsideTheBound) {
   Dice dice(2);
   for (int i = 0; i < 20000; ++i) {
     const Axis axis{static_cast<std::uint8_t>(1 + i % 3)};
@@ -85,7 +86,7 @@ TEST(JonesSeg3, KeepsExactlyWhatIsInsideTheBound) {
     const int factor = 4 << (i % 2);
     const auto part = seg3(vector, axis, factor);
     const auto at = [&](const SpacePoint& p) { return axis == Axis::x ? p.x : axis == Axis::y ? p.y : p.z; };
-    // Walk the vector unit by unit: inside means not in front of the near plane and within K z.
+    // Walk along the vector unit by unit: inside means not in front of the near plane and within K z.
     int inside = 0;
     for (std::int32_t c = std::min(at(vector.p), at(vector.q)); c <= std::max(at(vector.p), at(vector.q));
          ++c) {
@@ -100,7 +101,7 @@ TEST(JonesSeg3, KeepsExactlyWhatIsInsideTheBound) {
   }
 }
 
-// The near plane is one unit away: what is in the eye's own plane, or behind it, is not seen.
+// The near plane is one unit away: points in the eye's own plane, or behind it, are invisible.
 TEST(JonesSeg3, BeginsOneUnitFromTheEye) {
   const auto across = [](std::int32_t z) { return seg3({{-3, 0, z}, {3, 0, z}}, Axis::x, 4); };
   EXPECT_EQ(across(0), std::nullopt);
@@ -129,7 +130,7 @@ TEST(JonesProject, IsThePerspectiveToTheNearestHalfPoint) {
   EXPECT_EQ(operations.projection.muldivs, 4U * 50000U);
 }
 
-// J12: so far out of the bound that the quotient leaves the word.
+// J12: so far outside the bound that the quotient overflows the word.
 TEST(JonesProject, ReportsDivideOverflow) {
   Operations operations;
   EXPECT_EQ(project({131071, 0, 8}, 8192, operations), std::nullopt);

@@ -1,6 +1,6 @@
-// Laws and hand-worked cases of the twin's masks. The expectations are the laws of what a routine is for (a
-// cut lies on its line, a mask inside both of its parents), or numbers worked out by hand, never its own
-// output.
+// Laws and hand-computed cases of the twin's masks. Expectations are the laws of a routine (a cut is on its line, a mask is
+// inside both of
+// its parents), or numbers computed by hand, never its own output.
 #include "host/programs/jones/twin/mask.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ Mask mask_of(std::vector<ScreenPoint> ring) {
   return mask;
 }
 
-// Strictly convex, counter-clockwise, with room for the vertices that a clip adds: the hull of five points.
+// Strictly convex, counter-clockwise, with capacity for the vertices that a clip adds: the hull of five points.
 std::vector<ScreenPoint> convex_ring(Dice& dice, std::int32_t size) {
   std::vector<ScreenPoint> points;
   for (int i = 0; i < 5; ++i) points.push_back({dice(-size, size), dice(-size, size)});
@@ -100,14 +100,14 @@ TEST(JonesClip2, PieceLiesInTheMaskAndOnTheLine) {
     for (const ScreenPoint p : {piece->a, piece->b}) {
       EXPECT_TRUE(mask.xlo <= p.x && p.x <= mask.xhi && mask.ylo <= p.y && p.y <= mask.yhi);
       EXPECT_TRUE(xlo <= p.x && p.x <= xhi && ylo <= p.y && p.y <= yhi);
-      // Each cut rounds by at most half a unit an axis, and an end is cut by at most four lines.
+      // Each cut rounds by at most half a unit per axis, and an end is cut by at most four lines.
       EXPECT_LE(std::abs(static_cast<double>(turn(line.a, line.b, p))), 4 * length);
     }
   }
   EXPECT_GT(pieces, 2000);
 }
 
-TEST(JonesIntersect, MaskWithItselfIsItself) {
+TEST(JonesIntersect, AMaskIntersectedWithItselfIsUnchanged) {
   Dice dice(5);
   Operations operations;
   for (int i = 0; i < 5000; ++i) {
@@ -120,7 +120,7 @@ TEST(JonesIntersect, MaskWithItselfIsItself) {
   EXPECT_EQ(operations.mask_box.muldivs + operations.mask_sloped.muldivs, 0U);
 }
 
-// The exact area by Green's theorem over the clipped polygon in doubles: written apart from the integer clip.
+// The exact area by Green's theorem over the clipped polygon in doubles: independent of the integer clip.
 double exact_doubled_area(const Mask& mask, std::vector<std::pair<double, double>> polygon) {
   const auto edges = mask.ring();
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -162,7 +162,7 @@ TEST(JonesIntersect, LiesInBothAndHasTheirCommonArea) {
       return polygon;
     }());
     if (both.outcome == MaskOutcome::empty) {
-      EXPECT_LT(exact, 8000) << "a sliver at most: four thousand half points long, one wide";
+      EXPECT_LT(exact, 8000) << "at most a sliver four thousand half points long and one wide";
       continue;
     }
     ++visible;
@@ -173,7 +173,7 @@ TEST(JonesIntersect, LiesInBothAndHasTheirCommonArea) {
     EXPECT_NEAR(doubled_area(m.ring()), exact, 2 * perimeter + 40);
     for (int v = 0; v < m.count; ++v) {
       const auto at = [&](int k) { return m.vertices[static_cast<std::size_t>((v + k) % m.count)]; };
-      // Convex but for the rounding of a vertex by a unit an axis.
+      // Convex except for the rounding of a vertex by a unit per axis.
       EXPECT_GE(static_cast<double>(turn(at(0), at(1), at(2))), -2 * perimeter);
     }
   }
@@ -202,7 +202,7 @@ TEST(JonesIntersect, CornerOnAnEdgeIsOneVertex) {
   EXPECT_EQ(both.mask, mask_of({{0, -4}, {10, 0}, {0, 4}}));
 }
 
-// A square with bulging sides, each of them made of `on_each_side` edges.
+// A square with bulging sides, each with `on_each_side` edges.
 std::vector<ScreenPoint> many_corners(int on_each_side) {
   std::vector<ScreenPoint> ring, right, top, left;
   const int size = 100 * on_each_side;
@@ -244,7 +244,7 @@ TEST(JonesIntersect, ASeventeenthVertexIsTooMany) {
   const Mask mask = mask_of({{-900, -900}, {900, -900}, {900, 900}, {-900, 900}});
   const auto ring = many_corners(4);
   EXPECT_EQ(intersect(mask, ring, operations).outcome, MaskOutcome::visible);
-  // A side of the mask takes one corner off and puts two in its place.
+  // A side of the mask removes one corner and adds two.
   Mask cut = mask;
   cut.xhi = 435;
   EXPECT_EQ(intersect(cut, ring, operations).outcome, MaskOutcome::too_many_vertices);
@@ -256,8 +256,8 @@ TEST(JonesMask, CountsItsSlopedEdges) {
   EXPECT_EQ(sloped_edges(mask_of({{0, 0}, {100, -50}, {100, 200}, {0, 100}})), 2);
 }
 
-// Of a square, a corner in the middle of a side and one that is drawn in are left out, wherever the ring begins.
-TEST(JonesMask, CornersThatDoNotTurnLeftAreLeftOut) {
+// Of a square, a corner in the middle of a side and a reflex corner are omitted, wherever the ring begins.
+TEST(JonesMask, CornersThatDoNotTurnLeftAreOmitted) {
   const std::vector<ScreenPoint> square{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
   const std::vector<ScreenPoint> ring{{0, 0}, {4, 0}, {8, 0}, {7, 4}, {8, 8}, {0, 8}};
   for (std::size_t first = 0; first < ring.size(); ++first) {

@@ -1,4 +1,4 @@
-// The twin on the built-in scenes, from many places.
+// The twin on the built-in scenes, from many positions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, JonesTwinScenes,
                          [](const auto& scene) { return std::string(scene.param); });
 
 using JonesTwinHouse = JonesTwinScenes;
-// Fig. 5 of the paper: the kitchen is seen by its door, and by the dining room's door and the hatch.
+// Fig. 5 of the paper: the kitchen is visible through its door, and through the dining room's door and the hatch.
 TEST_P(JonesTwinHouse, SeesTheKitchenTwice) {
   const TwinView view = run_twin(words_, TestCore::header, default_parameters(words_, TestCore::header));
   EXPECT_EQ(view.counts.visits, 4U);

@@ -1,4 +1,4 @@
-// Every status of the twin: when a view ends, and what is shown then.
+// Every status of the twin: when a view ends, and what it shows then.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -12,7 +12,7 @@
 namespace sightline::programs::jones {
 namespace {
 
-// A frame is pushed for each level that is left for a deeper one; under a rectangle it takes 9 words.
+// A frame is pushed for each level when the search goes deeper; under a rectangle it takes 9 words.
 TEST(JonesTwinStatus, StackOverflow) {
   const TwinView full = view_of(grazing_doorways(50));
   EXPECT_EQ(full.status, Status::complete);
@@ -25,7 +25,7 @@ TEST(JonesTwinStatus, StackOverflow) {
 }
 
 TEST(JonesTwinStatus, SlopedEdgesTakeFourWordsOfAFrame) {
-  // Openings in a wall to the right of the eye: on the screen their upper and lower sides run at a slope.
+  // Openings in a wall to the right of the eye: on the screen their upper and lower sides are sloped.
   const auto to_the_right = [](std::int32_t x) {
     return TestChain{
         x, -x / 2, 2 * x, {{false, 2, x}, {false, 3, 2 * x}, {false, 2, -x}, {false, 3, -2 * x}}};
@@ -43,7 +43,7 @@ TEST(JonesTwinStatus, SlopedEdgesTakeFourWordsOfAFrame) {
             9 + 17 + 17);
 }
 
-// A mask is found empty first, then the depth is looked at, then the room on the stack.
+// The search tests first whether a mask is empty, then the depth, then the capacity of the stack.
 TEST(JonesTwinStatus, DepthComesBeforeTheStack) {
   TestCore core = grazing_doorways(51);
   core.put(TestCore::header + 1, 51);
@@ -86,7 +86,7 @@ TEST(JonesTwinStatus, TooManyMaskVertices) {
   EXPECT_EQ(status(7, false), Status::complete) << "16 corners";
   EXPECT_EQ(status(7, true), Status::too_many_mask_vertices) << "17 corners";
   EXPECT_EQ(status(8, false), Status::too_many_mask_vertices) << "18 corners";
-  // Corner 17 is where the 16th side ends, which is drawn before.
+  // Corner 17 is the end of the 16th side, which is drawn before.
   EXPECT_EQ(view(7, true, true).status, Status::too_many_mask_vertices);
   EXPECT_EQ(view(7, true, true).counts.pieces, 16U);
   EXPECT_EQ(view(7, false, true).counts.pieces, 16U);
@@ -109,9 +109,8 @@ TEST(JonesTwinStatus, BadDataElement) {
   EXPECT_EQ(ring_status({{false, 1, 10}, {false, 2, 10}, {true, 0, -10}}), Status::bad_data_element);
 }
 
-// An opening that is neither crossed nor drawn is not walked: only what the scan for its plane looks at
-// matters.
-TEST(JonesTwinStatus, OpeningPassedOverIsNotWalked) {
+// An opening that is neither crossed nor drawn is not walked: only the words read by the scan for its plane matter.
+TEST(JonesTwinStatus, ASkippedOpeningIsNotWalked) {
   const auto behind = [](std::vector<TestVector> vectors) {
     return view_of(TestCore({{}, {}}, {{0, 1, {0, 0, -5, std::move(vectors)}}})).status;
   };
@@ -125,7 +124,7 @@ TEST(JonesTwinStatus, OpeningPassedOverIsNotWalked) {
 }
 
 TEST(JonesTwinStatus, ArithmeticOverflowCannotComeFromAScene) {
-  // What is projected is inside the bound, so the farthest corner at the largest scale still divides.
+  // Projected points are inside the bound, so the farthest corner at the largest scale can still be divided.
   Parameters parameters;
   parameters.scale = 4096;
   const TwinView view = view_of(
@@ -142,7 +141,7 @@ TEST(JonesTwinStatus, ArithmeticOverflowCannotComeFromAScene) {
 
 TEST(JonesTwinStatus, GivesUpOnAListWithoutEnd) {
   TestCore core({{}}, {});
-  core.put(TestCore::header + 11 + 4, 0);  // an entry that is not the last, and zeros all around core
+  core.put(TestCore::header + 11 + 4, 0);  // an entry that is not the last, and zeros in all of core
   Parameters parameters;
   parameters.limit = 1000;
   EXPECT_NE(view_of(core, parameters).status, Status::complete);

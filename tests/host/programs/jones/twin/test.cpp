@@ -1,5 +1,4 @@
-// The twin's search and display file: cases worked out by hand, among them the hard cases of the paper's
-// method.
+// The twin's search and display file: cases computed by hand, among them the hard cases of the paper's method.
 #include <gtest/gtest.h>
 
 #include "host/programs/jones/twin/twin.hpp"
@@ -24,7 +23,7 @@ TEST(JonesTwinDisplayFile, OneLineIsFiveVectorsOfRoundedShares) {
 }
 
 TEST(JonesTwinDisplayFile, AZeroComponentTakesTheSignOfItsWholeDifference) {
-  // Down and to the left: dx = -51, dy = 0, and then dy = -51, dx = 0.
+  // Down and to the left: dx = -51, dy = 0, then dy = -51, dx = 0.
   const TwinView view = view_of(TestCore({{10, 10, 100, {{true, 1, -10}, {true, 2, -10}}}}, {}));
   EXPECT_EQ(octal_words(view),
             (std::vector<std::uint32_t>{010117, 020000, 0221063, 0103063, 0200263, 0731400, 003000}));
@@ -40,7 +39,7 @@ TEST(JonesTwinDisplayFile, LinesAddedAtOnceAreNotJoined) {
 }
 
 TEST(JonesTwinDisplayFile, StereoPairOfOneEyeIsTheSamePictureTwice) {
-  // The header's box leaves the eye no room: both eyes stand at the origin.
+  // The header's box does not let the eye move: both eyes are at the origin.
   const TestCore core({{-10, 0, 100, {{true, 1, 20}, {true, 2, 20}, {false, 1, 5}, {true, 3, 50}}}}, {});
   Parameters parameters;
   parameters.stereo = true;
@@ -78,7 +77,7 @@ TEST(JonesTwinSearch, EdgeOnOpeningIsDrawnButNotEntered) {
 }
 
 // J5: windows that share only a line, or only a corner.
-TEST(JonesTwinSearch, WindowOfNoAreaIsNotEntered) {
+TEST(JonesTwinSearch, AWindowWithoutAreaIsNotEntered) {
   const auto visits = [](const TestChain& first, const TestChain& second) {
     return view_of(TestCore({{}, {}, {}}, {{0, 1, first}, {1, 2, second}})).counts.visits;
   };
@@ -108,14 +107,14 @@ TEST(JonesTwinSearch, GrazingDoorwaysKeepFourVertices) {
   EXPECT_EQ(view.counts.stack_words, 36 * 9);
 }
 
-// J16: the opening just come through is in the far cell's list as well.
+// J16: the far cell's list also contains the opening just crossed.
 TEST(JonesTwinSearch, NeverGoesBack) {
   const TwinView view = view_of(TestCore({{}, {}}, {{0, 1, doorway(100, -20, 20, -20, 20)}}));
   EXPECT_EQ(view.counts.visits, 2U);
   EXPECT_EQ(view.counts.openings_tested, 1U) << "the entry itself is not tested";
 }
 
-// The near plane is one unit away: an opening no nearer is entered, whatever lies behind it.
+// The near plane is one unit away: a nearer opening is entered for any geometry behind it.
 TEST(JonesTwinSearch, OpeningOneUnitFromTheEyeIsEntered) {
   const auto visits = [](std::int32_t z, std::size_t low, std::size_t high) {
     return view_of(TestCore({{}, {}}, {{low, high, doorway(z, -2, 2, -2, 2)}})).counts.visits;
@@ -135,8 +134,7 @@ TEST(JonesTwinSearch, LineOneUnitFromTheEyeIsDrawn) {
   EXPECT_TRUE(drawn(0).empty()) << "in the eye's own plane";
 }
 
-// Lines of a ring are drawn on the walk that collects its corners, so what comes before a fault is on the
-// screen.
+// Lines of a ring are drawn by the walk that collects its corners, so those before a fault are on the screen.
 TEST(JonesTwinSearch, RingIsDrawnUpToAFault) {
   const auto ring = [](std::uint32_t axis) {
     return TestChain{-20, -20, 100, {{true, 1, 40}, {true, 2, 40}, {true, axis, -40}, {true, 2, -40}}};
@@ -151,7 +149,7 @@ TEST(JonesTwinSearch, RingIsDrawnUpToAFault) {
   EXPECT_EQ(decode(broken).vectors.size(), decode(whole).vectors.size() / 2);
 }
 
-// What lies behind an opening must be seen through it whole, wherever the opening leaves the visible bound.
+// The scene behind an opening must be visible through it completely, wherever the opening leaves the visible bound.
 TEST(JonesTwinSearch, OpeningLargerThanTheBoundShowsTheWholeWindow) {
   const TestChain cross{-300, 100, 200, {{true, 1, 600}}};  // across the whole window, above the middle
   const auto drawn = [&](const TestChain& ring) {

@@ -1,5 +1,6 @@
-// The Skala program's twin against the column oracle on random families of slices: the stream in order, the
-// oracle's chains shuffled, so that it finds the order by depth alone.
+// The Skala program's twin compared with the column oracle on random families of slices: the stream is in order, the oracle's
+// chains are
+// shuffled, so that it must find the order by depth alone.
 #include <gtest/gtest.h>
 
 #include "tests/host/programs/skala/chain_stream.hpp"
@@ -35,9 +36,8 @@ void expect_as_oracle(const std::vector<Chain>& chains, std::uint32_t seed) {
   expect_same_masks(picture.columns, expected);
 }
 
-// Every dot where the surface turns away is lit, and every other lit dot is connected with one: how far a
-// fold reaches towards its neighbour depends on what has been drawn there by then, which depth alone does not
-// tell.
+// Every dot where the surface turns away must be lit, and every other lit dot must be connected with one: how far a fold extends
+// towards its neighbour depends on what was drawn there before, which depth alone does not determine.
 void expect_folds(const core::Raster& raster, const ColumnPicture& expected) {
   for (int x = 0; x < 256; ++x) {
     const auto& folds = expected.silhouette[static_cast<std::size_t>(x)];
@@ -75,7 +75,7 @@ TEST_P(SkalaTwinColumns, Surfaces) {
   }
 }
 
-// Slices without ink, pieces between them that are only tested.
+// Slices without ink; the pieces between them are only tested.
 TEST_P(SkalaTwinColumns, TestedPieces) {
   for (std::uint32_t seed = 1; seed <= seeds_per_kind; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -101,7 +101,7 @@ TEST_P(SkalaTwinColumns, SilhouettesAndOutline) {
     const auto expected = column_picture(shuffled(chains, seed), 0);
     const auto folds = sent(chains, 2).end().run();
     expect_folds(folds.raster(Device::ef9365), expected);
-    // The pen goes elsewhere, so that the outline's first point is a step.
+    // The pen moves away, so that the outline's first point is a step.
     auto outlined = sent(chains, 0);
     const auto outline = outlined.move(0, 0).move(255, 255).send(Command::outline).end().run();
     EXPECT_EQ(lit_differences(outline.raster(Device::ef9365), expected.outline), "");

@@ -1,6 +1,6 @@
-// The eight functions, drawn by the Skala program's twin, against the column oracle, which has only the
-// projected points and their depths: the order of the host's stream, its rims and its margins are on trial as
-// well.
+// The eight functions, drawn by the Skala program's twin, compared with the column oracle, which knows only the projected points
+// and
+// their depths: this also tests the order of the host's stream, its rims and its margins.
 #include <gtest/gtest.h>
 
 #include <string>

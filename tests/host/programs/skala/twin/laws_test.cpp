@@ -1,5 +1,6 @@
-// Laws of the Skala program that hold for every picture, on the twin: the line's tie rule over all deltas,
-// the pending column against the paper's second pair of masks, what masks and visible dots may depend on.
+// Laws of the Skala program for every picture, tested on the twin: the line's tie rule over all deltas, the pending column
+// compared with
+// the paper's second pair of masks, and what masks and visible dots may depend on.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,8 +44,7 @@ Point corner(int dx, int dy) {
   return {static_cast<std::uint8_t>(dx < 0 ? -dx : 0), static_cast<std::uint8_t>(dy < 0 ? -dy : 0)};
 }
 
-// Bresenham's own form for a line to the right: Skala 1985, algorithm 3.1, its a and b
-// read as v + v and a - u - u.
+// Bresenham's own form for a line to the right: Skala 1985, algorithm 3.1, with its a and b read as v + v and a - u - u.
 std::vector<RasterDot> as_printed(int x, int y, int dx, int dy) {
   const int towards_y = dy < 0 ? -1 : 1;
   const int u = dx;
@@ -82,8 +82,9 @@ TEST(SkalaTwinLaws, EveryLineHasItsClosedFormInBothDirections) {
   }
 }
 
-// The paper's masks as corrected: the tests of a slice see only what was there before it, the new masks are
-// kept aside and copied when the slice ends.
+// The paper's masks as corrected: the tests of a slice see only earlier slices; the new masks are separate and are copied when
+// the
+// slice ends.
 class CopiedMasks {
  public:
   CopiedMasks() {
@@ -153,7 +154,7 @@ TEST_P(SkalaTwinFamilyLaws, DotsDoNotDependOnTheDirectionOfSlices) {
   });
 }
 
-TEST_P(SkalaTwinFamilyLaws, WithoutVisibilityNothingIsMissing) {
+TEST_P(SkalaTwinFamilyLaws, WithoutVisibilityEverythingIsDrawn) {
   for_families([](const std::vector<Chain>& chains) {
     const auto hidden_removed = raster_of(sent(chains));
     const auto everything = raster_of(sent(chains, false));
@@ -162,7 +163,7 @@ TEST_P(SkalaTwinFamilyLaws, WithoutVisibilityNothingIsMissing) {
   });
 }
 
-TEST_P(SkalaTwinFamilyLaws, MasksOnlyGrow) {
+TEST_P(SkalaTwinFamilyLaws, MasksNeverShrink) {
   for_families([](const std::vector<Chain>& chains) {
     Columns before = start().end().run().columns;
     for (std::size_t count = 1; count <= chains.size(); ++count) {

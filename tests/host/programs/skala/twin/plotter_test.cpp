@@ -1,5 +1,6 @@
-// The Skala program's twin on plotters: every movement of the pen, by hand from the specification, and the
-// laws of its path on random families.
+// The Skala program's twin on plotters: every movement of the pen, computed by hand from the specification, and the laws of its
+// path on
+// random families.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,37 +46,36 @@ TEST(SkalaTwinPlotter, ARunOfOnePointIsDropped) {
   EXPECT_TRUE(drawn.moves.empty());
 }
 
-TEST(SkalaTwinPlotter, ARunThatStartsWhereTheLastEndedCostsNoLift) {
+TEST(SkalaTwinPlotter, ARunThatStartsWhereTheLastEndedNeedsNoLift) {
   EXPECT_EQ(path(picture().draw(2, 0).commit().draw(2, 2)), "+6688-");
-  // Away and back: the run has ended, the pen has not moved.
+  // Away and back: the run has ended, but the pen has not moved.
   EXPECT_EQ(path(picture(false).draw(2, 0).move(9, 9).move(2, 0).draw(2, 1)), "+668-");
   EXPECT_EQ(path(picture(false).draw(1, 0).move(3, 0).draw(4, 0)), "+6-66+6-");
 }
 
-// The dot at x = 2 is hidden by a mark made before; the line is drawn in two runs.
+// The dot at x = 2 is hidden by an earlier mark; the line is drawn in two runs.
 TEST(SkalaTwinPlotter, HiddenPointsEndARun) {
   auto bytes = picture().move(2, 0).mask(2, 5).commit().move(0, 2).draw(4, 2);
   EXPECT_EQ(path(bytes), "88+6-66+6-");
 }
 
-// Rows 0..5 hide; row 5 is their border. A pen that draws goes on along it, one that does not draw does not
-// begin.
-TEST(SkalaTwinPlotter, OnTheBorderAPenGoesOnButDoesNotBegin) {
+// Rows 0..5 hide; row 5 is their border. A pen that is drawing continues along it; a pen that is not drawing does not start.
+TEST(SkalaTwinPlotter, OnTheBorderAPenContinuesButDoesNotStart) {
   auto strip = picture();
   for (int x = 0; x < 6; ++x) strip.move(x, 2).mask(x, 5).commit();
   EXPECT_EQ(path(SkalaBytes(strip).move(0, 6).draw(1, 6).draw(2, 5).draw(4, 5)), "888888+6366-");
   EXPECT_EQ(path(SkalaBytes(strip).move(0, 5).draw(4, 5)), "");
   EXPECT_EQ(path(SkalaBytes(strip).move(0, 1).draw(1, 1).draw(2, 2).draw(4, 2)), "8+6966-");
   EXPECT_EQ(path(SkalaBytes(strip).move(0, 6).draw(1, 6).draw(2, 5).draw(3, 4).draw(4, 5)), "888888+63-");
-  // The first point may be remembered only, and the border still continues it.
+  // The first point may only be remembered, and the border still continues it.
   EXPECT_EQ(path(SkalaBytes(strip).move(0, 6).draw(1, 5)), "888888+3-");
 }
 
-TEST(SkalaTwinPlotter, ResetLiftsThePenAndKeepsItsPlace) {
+TEST(SkalaTwinPlotter, ResetLiftsThePenAndKeepsItsPosition) {
   EXPECT_EQ(path(picture().draw(2, 0).reset().draw(1, 0)), "+66-44+6-");
 }
 
-TEST(SkalaTwinPlotter, SurfacesAreLinesAndSilhouettesNothing) {
+TEST(SkalaTwinPlotter, SurfacesAreLinesAndSilhouettesAreOmitted) {
   auto bytes = picture().send(Command::silhouette, {3}).surface({{0, 0, 1}, {2, 0, 1}}).commit();
   EXPECT_EQ(path(bytes.surface({{2, 3, 1}, {0, 3, 1}}).commit()), "+66-888+44-");
 }
@@ -86,7 +86,7 @@ TEST(SkalaTwinPlotter, MaskedStepsEndARunAndTheirLastIsInkedByTheNext) {
 
 using Dots = std::set<std::pair<int, int>>;
 
-// Where the pen has been while it was down.
+// The points visited while the pen was down.
 Dots covered(const TwinPicture& drawn) {
   Dots dots;
   for (const PlotterMove& move : drawn.moves)
@@ -131,7 +131,7 @@ void expect_possible(const TwinPicture& drawn) {
   EXPECT_EQ(drawn.counts.pen_lifts, lifts);
 }
 
-// Chains of a single dot, which a plotter drops, are left out.
+// Without chains of a single dot, which a plotter drops.
 std::vector<Chain> drawable(const std::vector<Chain>& chains) {
   std::vector<Chain> kept;
   for (const Chain& chain : chains) {

@@ -12,7 +12,7 @@
 
 namespace sightline::programs::skala {
 
-// Bytes as they are sent; arguments are ints so that tests need no casts, and only their low byte is kept.
+// Bytes to send; arguments are ints so that tests need no casts, and only their low byte is used.
 class SkalaBytes {
  public:
   SkalaBytes& byte(int value) {

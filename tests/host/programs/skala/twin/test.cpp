@@ -1,5 +1,5 @@
-// The Skala program's twin against cases worked out by hand from its specification: receipt, lines, masks,
-// surfaces, contours.
+// The Skala program's twin compared with cases computed by hand from its specification: receipt, lines, masks, surfaces,
+// contours.
 #include <gtest/gtest.h>
 
 #include <utility>
@@ -41,7 +41,7 @@ TEST(SkalaTwinReceipt, NamesTheByteThatStopsIt) {
   expect_stop(SkalaBytes().send(Command::device, {0x83}).end(), Status::complete, 3);
 }
 
-TEST(SkalaTwinReceipt, RefusesColumnsBeyondTheScreenAsSoonAsTheCountHasCome) {
+TEST(SkalaTwinReceipt, RejectsColumnsBeyondTheScreenAtTheCount) {
   expect_stop(SkalaBytes().send(curve, {1, 0}), Status::argument_out_of_range, 3);
   expect_stop(SkalaBytes().send(curve, {254, 3}), Status::argument_out_of_range, 3);
   expect_stop(SkalaBytes().send(curve, {254, 2, 7, 7}).end(), Status::complete, 6);
@@ -50,7 +50,7 @@ TEST(SkalaTwinReceipt, RefusesColumnsBeyondTheScreenAsSoonAsTheCountHasCome) {
   expect_stop(SkalaBytes().send(gap, {0, 0}).end(), Status::complete, 4);
 }
 
-TEST(SkalaTwinReceipt, WhatWasBufferedBeforeAnErrorIsNotDrawn) {
+TEST(SkalaTwinReceipt, CommandsBufferedBeforeAnErrorAreNotDrawn) {
   const auto drawn = SkalaBytes().move(9, 9).draw(20, 9).byte(0x77).run();
   EXPECT_EQ(lit_dots(drawn.raster(Device::ef9365)), 0U);
   EXPECT_EQ(drawn.counts.points_walked, 0U);
@@ -87,15 +87,15 @@ TEST(SkalaTwinLines, FirstPointIsDrawnOnceAndAPointCanStandAlone) {
 }
 
 // After RESET the pen is at (0, 0) and fresh; MOVE there changes nothing.
-TEST(SkalaTwinLines, ResetLeavesTheCornerFresh) {
+TEST(SkalaTwinLines, ResetMakesTheCornerFresh) {
   EXPECT_EQ(window(picture().draw(2, 0), 0, 0, 3, 0), (Rows{"777."}));
   EXPECT_EQ(window(picture().move(0, 0).draw(2, 0), 0, 0, 3, 0), (Rows{"777."}));
   EXPECT_EQ(window(picture().draw(0, 0).send(colour, {1}).move(0, 0).draw(2, 1), 0, 0, 2, 1),
             (Rows{".11", "7.."}));
 }
 
-// u = 4, v = 2: dots 1 and 3 lie halfway between two rows. Seen from the left end they go to the farther row.
-TEST(SkalaTwinLines, TiesGoTheSameWayInBothDirections) {
+// u = 4, v = 2: dots 1 and 3 are halfway between two rows. Seen from the left end they go to the farther row.
+TEST(SkalaTwinLines, TiesAreTheSameInBothDirections) {
   const Rows rising{"...77", ".77..", "7...."};
   EXPECT_EQ(window(picture().move(10, 10).draw(14, 12), 10, 10, 14, 12), rising);
   EXPECT_EQ(window(picture().move(14, 12).draw(10, 10), 10, 10, 14, 12), rising);
@@ -112,14 +112,13 @@ TEST(SkalaTwinLines, CurveIsDrawnFromColumnToColumn) {
   EXPECT_EQ(window(picture().send(curve, {255, 1, 8}), 254, 7, 255, 8), (Rows{".7", ".."}));
 }
 
-TEST(SkalaTwinMasks, WhatLiesBetweenTwoSlicesIsHidden) {
+TEST(SkalaTwinMasks, LinesBetweenTwoSlicesAreHidden) {
   auto bytes = picture().move(0, 2).draw(4, 2).commit().move(0, 5).draw(4, 5).commit().send(colour, {1});
   EXPECT_EQ(window(bytes.move(0, 7).draw(4, 3).commit(), 0, 1, 4, 7),
             (Rows{"1....", ".1...", "77777", ".....", ".....", "77777", "....."}));
 }
 
-// A steep run in its first column is tested against the masks as they were before it: dots of a slice never
-// hide each other.
+// A steep run in its first column is tested against the masks before it: dots of a slice never hide each other.
 TEST(SkalaTwinMasks, ASliceDoesNotHideItself) {
   EXPECT_EQ(window(picture().move(1, 1).draw(1, 4).draw(2, 4).draw(2, 1), 1, 1, 2, 4),
             (Rows{"77", "77", "77", "77"}));
@@ -137,8 +136,7 @@ TEST(SkalaTwinMasks, MaskHidesWithoutInk) {
             (Rows{"...77"}));
 }
 
-// A dot of slack: the border row and the one inside it still show; hidden farther in. Nothing is masked by
-// it.
+// A dot of slack: the border row and the row inside it are visible; farther in it is hidden. It does not mask anything.
 TEST(SkalaTwinMasks, TestDrawHasOneRowOfSlackAndLeavesNoTrace) {
   auto bytes = picture().move(0, 2).mask(0, 8).commit();
   EXPECT_EQ(window(bytes.move(0, 10).test(0, 0), 0, 0, 0, 10),
@@ -151,9 +149,10 @@ TEST(SkalaTwinMasks, TestDrawHasOneRowOfSlackAndLeavesNoTrace) {
   EXPECT_EQ(unvisited.columns.mask_bottom[5], 255);
 }
 
-// A bar in rows 2 to 8 between a lower and a higher one: a dot of it shows where the bar beside it ends, that
-// is on the last row of that, not a row inside it.
-TEST(SkalaTwinMasks, TestDrawShowsBesideAShorterColumn) {
+// A bar in rows 2 to 8 between a lower and a higher one: a dot of it is visible at the end of the adjacent bar, that is on its
+// last row,
+// not on an inner row.
+TEST(SkalaTwinMasks, TestDrawIsVisibleNextToAShorterColumn) {
   const auto bars = [] {
     auto bytes = picture().move(10, 2).mask(10, 5).commit();
     return bytes.move(11, 2).mask(11, 8).commit().move(12, 4).mask(12, 9).commit();
@@ -166,14 +165,14 @@ TEST(SkalaTwinMasks, TestDrawShowsBesideAShorterColumn) {
             (Rows{"7", "7", "7", "7", ".", ".", "7", "7", "7", "7", "7"}));
 }
 
-// A column beside it that nobody has been in, or that is beyond the border, shows nothing.
-TEST(SkalaTwinMasks, TestDrawIsNotShownByColumnsWithoutAMask) {
+// An adjacent column that was never visited, or that is beyond the border, makes nothing visible.
+TEST(SkalaTwinMasks, TestDrawIsNotVisibleNextToColumnsWithoutAMask) {
   for (const int x : {0, 20, 255}) {
     auto bytes = picture().move(x, 2).mask(x, 8).commit();
     const auto drawn = bytes.move(x, 5).test(x, 6).end().run();
     EXPECT_EQ(lit_dots(drawn.raster(Device::ef9365)), 0U) << x;
   }
-  // At the borders the columns of the other side are no neighbours.
+  // The columns at opposite borders are not adjacent.
   auto bytes = picture().move(0, 2).mask(0, 8).commit().move(255, 5).mask(255, 5).commit();
   EXPECT_EQ(lit_dots(bytes.move(0, 5).test(0, 6).end().run().raster(Device::ef9365)), 0U);
 }
@@ -197,15 +196,15 @@ TEST(SkalaTwinMasks, WithoutVisibilityEverythingIsInkAndNothingIsMasked) {
   EXPECT_EQ(drawn.columns.mask_bottom[3], 255);
 }
 
-// Along: L = 4, D = 5, g from -2. Levels 2 and 4 are next to each other: two are stepped where the term
-// allows it.
-TEST(SkalaTwinSurface, LevelsGoAlongTheSlice) {
+// Along the slice: L = 4, D = 5, g from -2. Levels 2 and 4 are next to each other: the level steps by two where the term allows
+// it.
+TEST(SkalaTwinSurface, LevelsChangeAlongTheSlice) {
   EXPECT_EQ(window(picture().surface({{0, 1, 1}, {4, 1, 6}}), 0, 1, 4, 1), (Rows{"12456"}));
   EXPECT_EQ(window(picture().surface({{0, 1, 0x0F}, {3, 1, 7}}), 0, 1, 3, 1), (Rows{"7777"}));
 }
 
-TEST(SkalaTwinSurface, LevelsGoDownTheColumn) {
-  // N = 5, D = 5: one level a row.
+TEST(SkalaTwinSurface, LevelsChangeDownTheColumn) {
+  // N = 5, D = 5: one level per row.
   auto bytes = picture().surface({{0, 1, 2}, {1, 1, 2}}).commit();
   EXPECT_EQ(window(bytes.surface({{0, 6, 7}, {1, 6, 7}}).commit(), 0, 1, 1, 6),
             (Rows{"77", "66", "55", "44", "33", "22"}));
@@ -213,13 +212,13 @@ TEST(SkalaTwinSurface, LevelsGoDownTheColumn) {
   EXPECT_EQ(
       window(picture().surface({{0, 1, 2}, {0, 1, 2}}).commit().surface({{0, 3, 7}, {0, 3, 7}}), 0, 1, 0, 3),
       (Rows{"7", "4", "2"}));
-  // Downwards, and with the same level.
+  // Downwards, and with equal levels.
   EXPECT_EQ(
       window(picture().surface({{0, 5, 3}, {0, 5, 3}}).commit().surface({{0, 2, 3}, {0, 2, 3}}), 0, 2, 0, 5),
       (Rows{"3", "3", "3", "3"}));
 }
 
-// The third slice is hidden, and yet the fourth is filled towards it, up to the strip.
+// The third slice is hidden, but the fourth is filled towards it, up to the strip.
 TEST(SkalaTwinSurface, AFillStopsAtTheStrip) {
   auto bytes = picture();
   for (const auto& [y, level] : {std::pair{1, 2}, {4, 5}, {2, 4}, {7, 6}})
@@ -236,7 +235,7 @@ TEST(SkalaTwinSurface, FillsOnceInAColumnAndNeverFromARim) {
   EXPECT_EQ(window(rims, 0, 1, 1, 4), (Rows{"55", "..", "..", "11"}));
   EXPECT_EQ(window(SkalaBytes(rims).surface({{0, 6, 5}, {1, 6, 5}}), 0, 1, 1, 6),
             (Rows{"55", "55", "55", "..", "..", "11"}));
-  // After the slice the pen is not fresh: the rim goes on from there.
+  // After the slice the pen is not fresh: the rim continues from there.
   EXPECT_EQ(window(SkalaBytes(flat).send(rim, {1, 3, 1}), 0, 1, 1, 3), (Rows{".1", ".1", "11"}));
 }
 
@@ -264,7 +263,7 @@ TEST(SkalaTwinContours, TheSurfaceFoldsWhereItStaysInsideAfterARise) {
   EXPECT_EQ(window(margins({9, 5, 7}), 4, 5, 4, 9), (Rows{".", ".", ".", ".", "3"}));
 }
 
-TEST(SkalaTwinContours, SilhouettesAreOffUntilAsked) {
+TEST(SkalaTwinContours, SilhouettesAreOffByDefault) {
   auto bytes = picture();
   for (const int y : {5, 9, 6}) bytes.move(4, y).mask(4, y).commit();
   EXPECT_EQ(lit_dots(bytes.end().run().raster(Device::ef9365)), 0U);

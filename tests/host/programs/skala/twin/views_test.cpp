@@ -1,5 +1,6 @@
-// Hard views and small grids through the host's stream and the Skala program's twin against the column
-// oracle, and what a rotation by a quarter turn must not change.
+// Hard views and small grids through the host's stream and the Skala program's twin, compared with the column oracle; and the
+// invariance
+// under a rotation by a quarter turn.
 #include <gtest/gtest.h>
 
 #include <string_view>
@@ -15,7 +16,7 @@ scene::HeightGrid grid_of(std::string_view function, scene::GridSize size) {
   return scene::sample(*scene::height_function(function), size);
 }
 
-// Every angle at which the order changes or a family is end-on, and angles beside them.
+// Every angle at which the order changes or a family is end-on, and angles next to them.
 TEST(SkalaTwinViews, AnglesWhereTheOrderTurns) {
   const auto grid = grid_of("peaks", {19, 16});
   for (int eighth = 0; eighth < 8; eighth += tests::effort(1, 3)) {
