@@ -58,7 +58,7 @@ void display_frame(benchmark::State& state) {
   registry::WillisDisplay display;
   for (auto _ : state) {
     willis::make_spans(model, frames.order(scene.camera), scene.camera, window, spans);
-    benchmark::DoNotOptimize(registry::displayed(spans, display));
+    benchmark::DoNotOptimize(registry::show_on_display(spans, display));
   }
   state.counters["frames_a_second"] = benchmark::Counter(1, benchmark::Counter::kIsIterationInvariantRate);
   state.counters["spans"] = static_cast<double>(spans.spans.size());

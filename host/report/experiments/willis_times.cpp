@@ -35,7 +35,7 @@ struct Flight {
   std::size_t order() { return frames.order(scene.scene.camera).size(); }
   void fly() {
     willis::make_spans(model, frames.order(scene.scene.camera), scene.scene.camera, window, spans);
-    (void)registry::displayed(spans, shown);
+    (void)registry::show_on_display(spans, shown);
   }
 
   WillisScene scene;

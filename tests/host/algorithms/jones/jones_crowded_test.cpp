@@ -30,7 +30,7 @@ class CrowdedBuilding : public ::testing::Test {
 };
 
 TEST_F(CrowdedBuilding, HasCrowdedCells) {
-  const auto crowded = [this](scene::CellNumber cell) { return prepared_.crowded(cell) != nullptr; };
+  const auto crowded = [this](scene::CellNumber cell) { return prepared_.find_crowded(cell) != nullptr; };
   std::size_t found = 0;
   for (scene::CellNumber c = 0; c < complex_.cells.size(); ++c) found += crowded(c) ? 1 : 0;
   EXPECT_GT(found, 0U);

@@ -116,7 +116,7 @@ TEST(MontaniReRegionBoundary, AClassLosesTheEdgesItsFacesShare) {
   const VisibleRegions seen = visible_regions(set);
   ASSERT_EQ(seen.list.classes().size(), 1U);
   EXPECT_EQ(boundary_of(set.image, seen.regions[0]).size(), 1U);
-  const auto loops = boundary_of(set.image, united(set.image, seen.list.classes()[0], seen.regions));
+  const auto loops = boundary_of(set.image, unite_regions(set.image, seen.list.classes()[0], seen.regions));
   ASSERT_EQ(loops.size(), 1U);
   EXPECT_EQ(loops[0].size(), 4U);
   EXPECT_EQ(exact_area(set.image, loops[0]), 200);
@@ -127,7 +127,7 @@ TEST(MontaniReRegionBoundary, LoopsThatOnlyTouchAreApart) {
   const FaceSet set = face_set({rectangle(0, 0, 10, 10, 0), rectangle(10, 10, 20, 20, 0)});
   const std::array<TrapezoidPcs, 2> regions{set.faces[0].pcs, set.faces[1].pcs};
   const std::array<std::uint32_t, 2> both{0, 1};
-  EXPECT_EQ(boundary_of(set.image, united(set.image, both, regions)).size(), 2U);
+  EXPECT_EQ(boundary_of(set.image, unite_regions(set.image, both, regions)).size(), 2U);
   const FaceSet pinched = face_set(
       {{{{0, 0, 0}, {20, 0, 0}, {20, 20, 0}, {0, 20, 0}}, {{10, 0, 0}, {15, 5, 0}, {10, 10, 0}, {5, 5, 0}}}});
   const auto loops = boundary_of(pinched.image, pinched.faces[0].pcs);
