@@ -481,7 +481,7 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
     }
   }
   if (source.cells && algorithm.draws_crossings && options.edges.are_given())
-    warn(fmt::format("{}: the outer box is omitted: --edges, --crease and --all-edges choose among the edges of solids and walls",
+    warn(fmt::format("{}: the outer box is left out: --edges, --crease and --all-edges choose among the edges of solids and walls",
                      source.name));
   std::optional<hidden_lines::Views> views;
   std::optional<base::ProgressLine> line(std::in_place);

@@ -130,7 +130,7 @@ TEST_F(SweepCommand, InterruptedAndResumed) {
   const Arguments many{"sweep", "boxes-4", "--views", "1000000", "--algorithm", "oracle", "-o", "s.jsonl"};
   const auto ran = sightline(many, "", std::chrono::milliseconds(1500));
   EXPECT_EQ(ran.exit_code, 130) << ran.err;
-  EXPECT_TRUE(has(ran.err, "goes on from there")) << ran.err;
+  EXPECT_TRUE(has(ran.err, "the same command resumes there")) << ran.err;
   EXPECT_TRUE(read("s.jsonl").ends_with("}}\n"));
 }
 
