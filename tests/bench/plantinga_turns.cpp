@@ -39,7 +39,7 @@ struct Turned {
   native::EventList list;
 };
 
-const Turned& turned(std::size_t which) {
+const Turned& turned_model(std::size_t which) {
   static std::map<std::size_t, std::unique_ptr<Turned>> made;
   auto& one = made[which];
   if (!one) one = std::make_unique<Turned>(which);
@@ -92,7 +92,7 @@ double scale_of(const native::RotationModel& model) {
 // range(1): 0 visible, 1 wire; range(2): 1 with pixels. Frames 2 degrees apart.
 void frame(benchmark::State& state) {
   const auto which = static_cast<std::size_t>(state.range(0));
-  const Turned& one = turned(which);
+  const Turned& one = turned_model(which);
   native::EdgeStructureGraph graph(one.list);
   native::FrameMaker frames(one.model);
   const double scale = scale_of(one.model);
@@ -117,7 +117,7 @@ void frame(benchmark::State& state) {
 
 void events(benchmark::State& state) {
   const auto which = static_cast<std::size_t>(state.range(0));
-  const Turned& one = turned(which);
+  const Turned& one = turned_model(which);
   native::EdgeStructureGraph graph(one.list);
   for (auto _ : state) benchmark::DoNotOptimize(graph.step_forward());
   state.SetLabel(names[which]);

@@ -51,7 +51,7 @@ class JonesSwitches : public testing::Test {
     home = {(box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2, (box.low[2] + box.high[2]) / 2};
     put_eye(program, home);
   }
-  Program program = assembled("corridor8", true);
+  Program program = assemble_jones("corridor8", true);
   SpacePoint home;
 };
 
@@ -97,7 +97,7 @@ TEST_F(JonesSwitches, TheEyeStaysInItsBox) {
 
 // Close to the far wall nothing may be visible; the program must continue all the same.
 TEST_F(JonesSwitches, AnEmptyPictureIsShown) {
-  program = assembled(one_cell({200, 200, 50}, {{0, 0, 0}, {400, 400, 400}}, {}), true);
+  program = assemble_jones(one_cell({200, 200, 50}, {{0, 0, 0}, {400, 400, 400}}, {}), true);
   ASSERT_EQ(twin_view(program).display_file.size(), 2U);
   const Console seen = after(0, 1.0);
   EXPECT_GT(seen.views, 10);
@@ -166,7 +166,7 @@ struct PassSizes final : core::StrokeTaker {
 
 TEST(JonesImmediate, LinesAppearDuringTheViewInAFileThatIsAlwaysTerminated) {
   for (const bool eae : {true, false}) {
-    const Program program = assembled("roberts", eae);
+    const Program program = assemble_jones("roberts", eae);
     FileWatch watch(program);
     PassSizes screen;
     pdp7::Options options;
@@ -213,7 +213,7 @@ class JonesStatus : public testing::TestWithParam<bool> {
     }
     EXPECT_EQ(points_of(run.pass), drawn_points(expected.display_file));
   }
-  static Program with(const scene::CellScene& scene) { return assembled(scene, GetParam()); }
+  static Program with(const scene::CellScene& scene) { return assemble_jones(scene, GetParam()); }
 };
 
 TEST_P(JonesStatus, StackOverflow) {

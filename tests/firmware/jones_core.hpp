@@ -20,7 +20,7 @@ namespace sightline::programs::jones {
 
 inline constexpr std::array scene_names{"house", "roberts", "street4", "corridor8", "corridor32"};
 
-inline Program assembled(const scene::CellScene& scene, bool eae) {
+inline Program assemble_jones(const scene::CellScene& scene, bool eae) {
   auto program = assemble_program(scene, {.eae = eae});
   if (!program) {
     ADD_FAILURE() << program.error().message();
@@ -29,8 +29,8 @@ inline Program assembled(const scene::CellScene& scene, bool eae) {
   return std::move(*program);
 }
 
-inline Program assembled(std::string_view scene, bool eae) {
-  return assembled(scene::builtin_scene(scene), eae);
+inline Program assemble_jones(std::string_view scene, bool eae) {
+  return assemble_jones(scene::builtin_scene(scene), eae);
 }
 
 // The address of a tag of the program. The tests use only tags that the program's comments explain.

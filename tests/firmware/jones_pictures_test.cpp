@@ -33,7 +33,7 @@ TEST_P(JonesPictures, AreTheApprovedOnes) {
   const std::string scene = GetParam();
   Order order;
   order.photograph = shutter;
-  const Outcome run = outcome_of(assembled(scene, true), order);
+  const Outcome run = outcome_of(assemble_jones(scene, true), order);
   EXPECT_TRUE(tests::matches_approved_png(picture::crisp_raster(run.pass), "jones/" + scene + ".png"));
   picture::PhosphorPhotograph photograph(run.shutter_close - shutter, run.shutter_close);
   photograph.expose(run.photograph);
@@ -42,8 +42,8 @@ TEST_P(JonesPictures, AreTheApprovedOnes) {
 
 TEST_P(JonesPictures, AreTheSameWithoutTheEae) {
   NEEDS_OPTIMISED_CODE();
-  const Outcome with = outcome_of(assembled(GetParam(), true));
-  const Outcome without = outcome_of(assembled(GetParam(), false));
+  const Outcome with = outcome_of(assemble_jones(GetParam(), true));
+  const Outcome without = outcome_of(assemble_jones(GetParam(), false));
   EXPECT_TRUE(picture::crisp_raster(with.pass) == picture::crisp_raster(without.pass));
 }
 
@@ -57,7 +57,7 @@ TEST_P(JonesPictures, ShowTheVisibleLines) {
   const auto lines = matter->real_lines();
   oracle::Window window;
   window.near = 1;
-  Program program = assembled(scene, true);
+  Program program = assemble_jones(scene, true);
   const geometry::Box& limits = program.scene.view.limits;
   Dice dice(340);
   double truth = 0, missing = 0, extra = 0;

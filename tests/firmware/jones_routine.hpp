@@ -18,7 +18,7 @@ namespace sightline::programs::jones {
 class RoutineMachine {
  public:
   explicit RoutineMachine(bool eae)
-      : program_(assembled("house", eae)), eae_(eae), machine_(options(eae)) {
+      : program_(assemble_jones("house", eae)), eae_(eae), machine_(options(eae)) {
     machine_.load(0, program_.core);
     call_ = at("filea");
     fault_ = at("fault");

@@ -11,7 +11,7 @@
 
 namespace {
 
-std::string written(const sightline::scene::CellComplexFile& file) {
+std::string write_file_text(const sightline::scene::CellComplexFile& file) {
   std::string text;
   sightline::scene::write_cell_complex(file.scene, file.decomposition,
                                        [&](std::string_view piece) { text += piece; });
@@ -34,9 +34,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static_cast<void>(scene::is_cell_complex(text));
   const auto read = scene::read_cell_complex(text, "fuzz");
   if (!read) return 0;
-  const std::string once = written(*read);
+  const std::string once = write_file_text(*read);
   const auto again = scene::read_cell_complex(once, "written");
-  if (!again || written(*again) != once) std::abort();
+  if (!again || write_file_text(*again) != once) std::abort();
   walk(*read);
   return 0;
 }

@@ -14,7 +14,7 @@ namespace {
 
 using namespace sightline;
 
-void hold(std::string_view bytes) {
+void run_session(std::string_view bytes) {
   int patience = 60;
   live::DapHost host;
   host.read = [&bytes, &patience](int milliseconds) -> std::optional<std::string> {
@@ -41,7 +41,7 @@ void hold(std::string_view bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(data, data + size);
-  hold(text);
+  run_session(text);
   std::string framed;
   std::string_view rest = text;
   while (!rest.empty()) {
@@ -49,6 +49,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     rest.remove_prefix(std::min(line.size() + 1, rest.size()));
     framed += "Content-Length: " + std::to_string(line.size()) + "\r\n\r\n" + std::string(line);
   }
-  hold(framed);
+  run_session(framed);
   return 0;
 }

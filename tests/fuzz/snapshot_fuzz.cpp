@@ -45,7 +45,7 @@ std::unique_ptr<machines::Machine> i8080_machine() {
   return machine;
 }
 
-machines::Bytes saved(machines::Machine& machine) {
+machines::Bytes save_state(machines::Machine& machine) {
   return live::save_snapshot("fuzz", machine);
 }
 
@@ -60,7 +60,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const auto machine = (data[0] & 1U) == 0 ? test::small_pdp7() : i8080_machine();
   run_on(*machine);
-  const machines::Bytes before = saved(*machine);
+  const machines::Bytes before = save_state(*machine);
   auto snapshot = live::decode_snapshot(before, "fuzz");
   require(snapshot.has_value());
   machines::MachineState& state = snapshot->state;
@@ -80,12 +80,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto done = live::restore_snapshot("fuzz", *machine, changed, "fuzz");
   if (!done) {
     require(done.error().file == "fuzz" && !done.error().place.empty() && !done.error().expected.empty());
-    require(saved(*machine) == before);
+    require(save_state(*machine) == before);
     return 0;
   }
   run_on(*machine);
-  const machines::Bytes later = saved(*machine);
+  const machines::Bytes later = save_state(*machine);
   require(live::restore_snapshot("fuzz", *machine, later, "fuzz").has_value());
-  require(saved(*machine) == later);
+  require(save_state(*machine) == later);
   return 0;
 }

@@ -47,7 +47,7 @@ inline bool write_whole(const std::filesystem::path& path, std::string_view byte
   return static_cast<bool>(file.flush());
 }
 
-inline std::string where_they_part(std::string_view approved, std::string_view received) {
+inline std::string first_difference(std::string_view approved, std::string_view received) {
   const auto [a, r] = std::mismatch(approved.begin(), approved.end(), received.begin(), received.end());
   const auto line = 1 + std::count(approved.begin(), a, '\n');
   return "approved " + std::to_string(approved.size()) + " bytes, received " +
@@ -66,7 +66,7 @@ inline testing::AssertionResult matches_approved(std::string_view received, cons
   if (exists && read_whole(approved) == received) return testing::AssertionSuccess();
   const auto kept = received_path(name);
   const bool written = write_whole(kept, received);
-  return testing::AssertionFailure() << (exists ? where_they_part(read_whole(approved), received)
+  return testing::AssertionFailure() << (exists ? first_difference(read_whole(approved), received)
                                                 : "nothing is approved yet")
                                      << "\n  approved: " << approved.string() << "\n  received: "
                                      << (written ? kept.string() : "(could not be written)")

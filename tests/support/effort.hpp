@@ -5,7 +5,7 @@
 namespace sightline::tests {
 
 // Whether this is a release build: optimised, without assertions and sanitizers.
-[[nodiscard]] inline bool optimised() {
+[[nodiscard]] inline bool is_optimised() {
 #ifdef NDEBUG
   return true;
 #else
@@ -15,7 +15,7 @@ namespace sightline::tests {
 
 template <class Value>
 [[nodiscard]] Value effort(Value whole, Value part) {
-  return optimised() ? whole : part;
+  return is_optimised() ? whole : part;
 }
 
 }  // namespace sightline::tests
@@ -23,5 +23,5 @@ template <class Value>
 // The first statement of a test that runs whole machines or programs for a long time. Shorter tests run all parts of
 // these, so that a run with sanitizers would take minutes and find nothing more.
 #define NEEDS_OPTIMISED_CODE()        \
-  if (!sightline::tests::optimised()) \
+  if (!sightline::tests::is_optimised()) \
   GTEST_SKIP() << "runs only where code is optimised"

@@ -250,7 +250,7 @@ class Shrinker {
 
 }  // namespace
 
-PolyScene shrunk(PolyScene scene, const ShowsDefect& shows_defect) {
+PolyScene shrink_scene(PolyScene scene, const ShowsDefect& shows_defect) {
   scene.name.clear();
   scene.wires_on.clear();
   scene.step = 1;

@@ -18,6 +18,6 @@ using ShowsDefect = std::function<bool(const scene::PolyScene&)>;
 // these steps makes it smaller: omitting a body, a wire, a face of a sheet, a hole or a corner; a sheet in place of a solid;
 // no perspective; a camera along the axes; all coordinates halved or moved towards 0; a coordinate made smaller for one vertex,
 // for all that share it, or for the eye. The result has no names, and the default units and origin.
-[[nodiscard]] scene::PolyScene shrunk(scene::PolyScene scene, const ShowsDefect& shows_defect);
+[[nodiscard]] scene::PolyScene shrink_scene(scene::PolyScene scene, const ShowsDefect& shows_defect);
 
 }  // namespace sightline::tests

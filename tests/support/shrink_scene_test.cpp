@@ -79,12 +79,12 @@ void shrink_random_scenes(const ShowsDefect& shows_defect, int wanted, Check che
     if (random.scene().bodies.size() < 3 || !random.look() || !shows_defect(random.scene())) continue;
     ++found;
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const PolyScene small = shrunk(random.scene(), shows_defect);
+    const PolyScene small = shrink_scene(random.scene(), shows_defect);
     EXPECT_TRUE(shows_defect(small));
     EXPECT_TRUE(scene::check_poly_scene(small).empty());
     EXPECT_FALSE(scene::eye_error(small, small.camera));
-    EXPECT_EQ(small, shrunk(random.scene(), shows_defect));
-    EXPECT_EQ(small, shrunk(small, shows_defect));
+    EXPECT_EQ(small, shrink_scene(random.scene(), shows_defect));
+    EXPECT_EQ(small, shrink_scene(small, shows_defect));
     check(small);
   }
   EXPECT_EQ(found, wanted);
@@ -126,7 +126,7 @@ TEST(ShrinkScene, WhatADefectNeedsStays) {
     return candidate.bodies.size() >= 3 && sheets == 1 && candidate.camera.perspective;
   };
   ASSERT_TRUE(scene::check_poly_scene(scene).empty());
-  const PolyScene small = shrunk(scene, needs);
+  const PolyScene small = shrink_scene(scene, needs);
   EXPECT_EQ(small.bodies.size(), 3U);
   EXPECT_EQ(faces_of(small), 6U + 6U + 1U);
   EXPECT_TRUE(small.camera.perspective);

@@ -15,7 +15,7 @@ constexpr std::int64_t frame = 120'000;  // T-states of 3 MHz in 40 ms
 core::TStateInstant at(std::int64_t t) { return core::at_t_state(t); }
 
 // Two surfaces, one line high, that overlap in columns 10 to 19.
-void give_two(PriorityBoard& board) {
+void write_two_surfaces(PriorityBoard& board) {
   const std::array<PriorityBoard::HostSurface, 2> surfaces{{{3, 0x111111, 0, 0, 1}, {200, 0x222222, 0, 1, 1}}};
   const std::array<PriorityBoard::HostSpan, 2> spans{{{0, 20}, {10, 30}}};
   board.give(surfaces, spans);
@@ -29,7 +29,7 @@ void set(PriorityBoard& board, std::uint8_t number, std::uint8_t priority, std::
 TEST(PriorityBoard, TheHigherPriorityIsInFront) {
   for (const bool first_in_front : {true, false}) {
     PriorityBoard board(core::ClockRate{});
-    give_two(board);
+    write_two_surfaces(board);
     set(board, 3, first_in_front ? 9 : 1, 100);
     set(board, 200, 5, 200);
     board.write(Register::control, 1, at(300));
@@ -46,7 +46,7 @@ TEST(PriorityBoard, TheHigherPriorityIsInFront) {
 
 TEST(PriorityBoard, NothingCanBeWrittenWhileAFrameWaits) {
   PriorityBoard board(core::ClockRate{});
-  give_two(board);
+  write_two_surfaces(board);
   set(board, 3, 9, 100);
   EXPECT_EQ(board.read(Register::status, at(290)) & 2U, 0U);
   board.write(Register::control, 1, at(300));

@@ -87,7 +87,7 @@ struct Shown {
   bool whole = true;  // false: memory includes one more instruction
 };
 
-Shown shown_by_pins(const Program& program) {
+Shown run_on_pins(const Program& program) {
   const std::int64_t length = program.length;
   const auto board = std::make_unique<tests::MemoryBoard>();
   std::copy(program.memory.begin(), program.memory.end(), board->memory.begin());
@@ -178,7 +178,7 @@ struct Seen {
   std::vector<i8080::BusCycle> cycles;  // to the end of the last instruction, with their operands
 };
 
-Seen seen_by_observer(const Program& program, Asked asked, bool tells_instructions, std::mt19937* pieces) {
+Seen run_observed(const Program& program, Asked asked, bool tells_instructions, std::mt19937* pieces) {
   Subject subject(program, asked);
   tests::I8080Recorder recorder(tells_instructions);
   subject.run(pieces, [&](const i8080::Limits& limits) { return subject.machine.run(limits, recorder); });
@@ -196,7 +196,7 @@ Seen seen_by_observer(const Program& program, Asked asked, bool tells_instructio
   return seen;
 }
 
-Left left_unobserved(const Program& program, Asked asked, bool plainly, std::mt19937* pieces) {
+Left run_unobserved(const Program& program, Asked asked, bool plainly, std::mt19937* pieces) {
   Subject subject(program, asked);
   subject.run(pieces, [&](const i8080::Limits& limits) {
     return plainly ? subject.machine.run_plainly(limits) : subject.machine.run(limits);
@@ -315,23 +315,23 @@ void compare(std::mt19937& random, Asked asked, int programs, const std::string&
   for (; i < programs || instructions < wanted; ++i) {
     if (wanted == 0 || i % 16 == 0) memory = random_memory(random, wanted != 0);
     const Program program = random_program(random, asked, length, memory);
-    const Shown expected = shown_by_pins(program);
+    const Shown expected = run_on_pins(program);
     const std::string number = name + ", program " + std::to_string(i);
-    const Seen seen = seen_by_observer(program, asked, true, nullptr);
+    const Seen seen = run_observed(program, asked, true, nullptr);
     expect_same(seen.shown, expected, number);
     if (testing::Test::HasFatalFailure()) return;
-    Shown fewer = seen_by_observer(program, asked, false, nullptr).shown;
+    Shown fewer = run_observed(program, asked, false, nullptr).shown;
     fewer.states = expected.states;
     expect_same(fewer, expected, number + ", no instructions told");
     if (testing::Test::HasFatalFailure()) return;
-    fewer = seen_by_observer(program, asked, false, &random).shown;
+    fewer = run_observed(program, asked, false, &random).shown;
     fewer.states = expected.states;
     fewer.holds = expected.holds;
     expect_same(fewer, expected, number + ", in pieces");
     if (testing::Test::HasFatalFailure()) return;
-    ASSERT_TRUE(left_unobserved(program, asked, true, nullptr) == seen.left) << number << ", plain engine";
-    ASSERT_TRUE(left_unobserved(program, asked, false, nullptr) == seen.left) << number << ", fast engine";
-    ASSERT_TRUE(left_unobserved(program, asked, false, &random) == seen.left) << number << ", fast engine in pieces";
+    ASSERT_TRUE(run_unobserved(program, asked, true, nullptr) == seen.left) << number << ", plain engine";
+    ASSERT_TRUE(run_unobserved(program, asked, false, nullptr) == seen.left) << number << ", fast engine";
+    ASSERT_TRUE(run_unobserved(program, asked, false, &random) == seen.left) << number << ", fast engine in pieces";
     expect_marked(program, asked, seen, random, number + ", marked");
     tests::WrittenWords words(65536);
     for (const auto& cycle : expected.cycles) {

@@ -22,7 +22,7 @@ constexpr std::uint32_t dbcf = 0707101, dbsf = 0707121, dbcs = 0707141, dbrd = 0
 constexpr std::int64_t turn = 5120 * 1000;
 
 // Each word of the disk is its own address, truncated to 18 bits.
-std::vector<Word18> numbered() {
+std::vector<Word18> numbered_words() {
   std::vector<Word18> words;
   for (std::uint32_t n = 0; n < 1024000; ++n) words.emplace_back(n & 0777777U);
   return words;
@@ -67,7 +67,7 @@ class Rb09 : public testing::Test {
 
   static std::unique_ptr<pdp7::Rb09> made(const pdp7::rb09::Choices& choices) {
     auto disk = std::make_unique<pdp7::Rb09>(choices);
-    disk->attach(numbered(), 7, 0);
+    disk->attach(numbered_words(), 7, 0);
     return disk;
   }
 
@@ -182,7 +182,7 @@ TEST_F(Rb09, WritesAreKeptApartFromTheImage) {
 }
 
 TEST_F(Rb09, ALockedTrackCannotBeWritten) {
-  disk_->attach(numbered(), 7, 1U << 3);  // tracks 30 to 39
+  disk_->attach(numbered_words(), 7, 1U << 3);  // tracks 30 to 39
   begin(0, 0x2979, 0, 66, status::busy | status::write);
   EXPECT_EQ(serve().size(), 64U);
   EXPECT_EQ(state(), status::error | status::illegal | status::done | status::write);

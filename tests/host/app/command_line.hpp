@@ -117,7 +117,7 @@ class CommandLine : public ::testing::Test {
   }
 
   // Starts the command and kills it after this time.
-  void killed(const Arguments& arguments, std::chrono::microseconds after) const {
+  void start_and_kill(const Arguments& arguments, std::chrono::microseconds after) const {
     const pid_t process = fork();
     if (process == 0) {
       if (chdir(directory_.c_str()) != 0) _exit(127);
@@ -138,7 +138,7 @@ class CommandLine : public ::testing::Test {
   // Sends Ctrl-C to a command that must then end in order. On a loaded computer the command may start slowly and die of a Ctrl-C
   // before
   // its handler is installed: then it is started again and given more time.
-  Ran interrupted(const Arguments& arguments) {
+  Ran run_interrupted(const Arguments& arguments) {
     Ran ran;
     for (std::chrono::milliseconds after{300}; after < std::chrono::seconds(20); after *= 4) {
       ran = sightline(arguments, "", after);

@@ -135,7 +135,7 @@ TEST_F(CompareCommand, ComparesAFunctionAndPolyhedraAsJson) {
   EXPECT_EQ(document["scenes"][1]["pictures"][0]["pieces_different"], 0);
   EXPECT_TRUE(exists("out/sinc-compare-skala.png"));
   EXPECT_TRUE(exists("out/bricks-10-compare-exact.svg"));
-  if (sightline::tests::optimised()) {
+  if (sightline::tests::is_optimised()) {
     EXPECT_EQ(sightline(arguments).out, ran.out);
   }
 }

@@ -29,7 +29,7 @@ class IndependentReaders : public sightline::test::CommandLine {
     return png ? png->image : Image();
   }
   // The number of dark pixels in one image without a dark pixel of the other within two.
-  static int alone(const Image& a, const Image& b) {
+  static int count_unmatched_pixels(const Image& a, const Image& b) {
     const auto dark = [](const Image& image, int column, int row) {
       constexpr int darker = 140;
       return column >= 0 && row >= 0 && column < image.width && row < image.height &&
@@ -58,9 +58,9 @@ class IndependentReaders : public sightline::test::CommandLine {
     const Image theirs = image(file);
     ASSERT_EQ(theirs.width, ours.width);
     ASSERT_EQ(theirs.height, ours.height);
-    EXPECT_GT(alone(ours, white(ours)), 5000);
-    EXPECT_EQ(alone(ours, theirs), 0);
-    EXPECT_EQ(alone(theirs, ours), 0);
+    EXPECT_GT(count_unmatched_pixels(ours, white(ours)), 5000);
+    EXPECT_EQ(count_unmatched_pixels(ours, theirs), 0);
+    EXPECT_EQ(count_unmatched_pixels(theirs, ours), 0);
   }
 };
 

@@ -43,7 +43,7 @@ class RayCheckedDrawing : public sightline::test::CommandLine {
   }
 };
 
-std::string joined(const std::vector<std::string>& words) {
+std::string join_words(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : "\n") + word;
   return text;
@@ -114,7 +114,7 @@ TEST_F(RayCheckedDrawing, IsCorrectForPublicMeshes) {
           report.drawn_twice, report.off_edge, report.residual);
       EXPECT_TRUE(report.good()) << options[0] << ' ' << options[1] << ", residual " << report.residual << " of "
                                  << report.allowed_residual << " mm\n"
-                                 << joined(report.faults);
+                                 << join_words(report.faults);
       visible += report.visible;
     }
   }
@@ -133,7 +133,7 @@ TEST_F(RayCheckedDrawing, IsCorrectForABodyThatPassesThroughItself) {
     ASSERT_EQ(draw("a.obj", {"--view", name}).exit_code, 0);
     const RayReport report = sightline::tests::check_by_rays(mesh, view, strokes, seed);
     EXPECT_GT(report.visible, 40U);
-    EXPECT_TRUE(report.good()) << name << '\n' << joined(report.faults);
+    EXPECT_TRUE(report.good()) << name << '\n' << join_words(report.faults);
   }
 }
 
@@ -148,7 +148,7 @@ TEST_F(RayCheckedDrawing, ShowsBevelsOfFewDecimals) {
   ASSERT_EQ(draw("a.obj", {"--view", "iso"}).exit_code, 0);
   const RayReport report = sightline::tests::check_by_rays(mesh, view, strokes, seed);
   EXPECT_EQ(report.feature_edges, 20U);
-  EXPECT_TRUE(report.good()) << joined(report.faults);
+  EXPECT_TRUE(report.good()) << join_words(report.faults);
 }
 
 // Meshes with few integer coordinates: vertices and edges on faces, touching and coplanar faces, coincident lines.
@@ -198,7 +198,7 @@ TEST_F(RayCheckedDrawing, IsCorrectForRandomMeshes) {
       if (ran.exit_code == 4) continue;  // no face has an area
       ASSERT_EQ(ran.exit_code, 0) << ran.err << obj;
       const RayReport report = sightline::tests::check_by_rays(mesh, view, strokes, seed);
-      EXPECT_TRUE(report.good()) << options[0] << '\n' << joined(report.faults) << '\n' << obj;
+      EXPECT_TRUE(report.good()) << options[0] << '\n' << join_words(report.faults) << '\n' << obj;
       visible += report.visible;
     }
   }
@@ -212,7 +212,7 @@ TEST_F(RayCheckedDrawing, FindsAFaultInADrawingOfTheCommand) {
   ASSERT_EQ(draw(file, {"--view", "iso"}).exit_code, 0);
   const std::vector<PlainStroke> right = strokes;
   const auto report = [&] { return sightline::tests::check_by_rays(mesh, view, strokes, seed); };
-  ASSERT_TRUE(report().good()) << joined(report().faults);
+  ASSERT_TRUE(report().good()) << join_words(report().faults);
   for (std::size_t i = 0; i < right.size(); ++i) {
     strokes = right;
     if (right[i].hidden) {

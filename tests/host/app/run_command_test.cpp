@@ -168,7 +168,7 @@ TEST_F(RunCommand, Limits) {
 TEST_F(RunCommand, CtrlCStopsCleanly) {
   write("forever.oct", forever);
   const Ran ran =
-      interrupted({"run", "pdp7", "--load", "forever.oct", "--start", "100", "--dump", "core", "--json"});
+      run_interrupted({"run", "pdp7", "--load", "forever.oct", "--start", "100", "--dump", "core", "--json"});
   EXPECT_EQ(ran.exit_code, 130);
   EXPECT_EQ(json::parse(ran.out).at("stop_reason"), "interrupted");
   EXPECT_TRUE(read("core").starts_with("00100 "));

@@ -195,7 +195,7 @@ TEST_F(RunI8080Command, Limits) {
 
 TEST_F(RunI8080Command, StoppedByCtrlC) {
   write("forever.bin", forever);
-  const Ran ran = interrupted({"run", "i8080", "--load", "forever.bin", "--dump", "dump", "--json"});
+  const Ran ran = run_interrupted({"run", "i8080", "--load", "forever.bin", "--dump", "dump", "--json"});
   EXPECT_EQ(ran.exit_code, 130);
   EXPECT_EQ(json::parse(ran.out).at("stop_reason"), "interrupted");
   EXPECT_TRUE(exists("dump"));

@@ -93,7 +93,7 @@ TEST(JonesBound, HoldsForTheMachinesWordsAndIsNear) {
   }
 }
 
-picture::PixelSegment moved(const picture::PixelSegment& line, double by) {
+picture::PixelSegment move_across(const picture::PixelSegment& line, double by) {
   const double length = std::hypot(line.b.x - line.a.x, line.b.y - line.a.y);
   const picture::PixelPoint across{(line.a.y - line.b.y) / length * by, (line.b.x - line.a.x) / length * by};
   return {{line.a.x + across.x, line.a.y + across.y}, {line.b.x + across.x, line.b.y + across.y}};
@@ -110,7 +110,7 @@ TEST(MachinePictures, ALineOfJonesMovedByTwoPointsIsFound) {
   auto longest = std::max_element(builds[3].lines.begin(), builds[3].lines.end(), [](const auto& a, const auto& b) {
     return std::hypot(a.b.x - a.a.x, a.b.y - a.a.y) < std::hypot(b.b.x - b.a.x, b.b.y - b.a.y);
   });
-  *longest = moved(*longest, 2);
+  *longest = move_across(*longest, 2);
   EXPECT_FALSE(compare_pictures(scene, view, NamedJones{"jones-pdp7", &builds}, lines).agrees);
 }
 

@@ -109,7 +109,7 @@ TEST(CommonScenes, SightLinesArePixels) {
 }
 
 // The names of all registries, and of the programs on the 8080 and the PDP-7 that draw scenes.
-std::set<std::string_view> registered() {
+std::set<std::string_view> registered_names() {
   std::set<std::string_view> names;
   for (const registry::LineAlgorithm& algorithm : registry::line_algorithms()) names.insert(algorithm.name);
   for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms()) names.insert(algorithm.name);
@@ -130,7 +130,7 @@ bool excludes(const NotApplicable& exclusion, std::string_view who, const Common
 
 // All pairs of the registries' algorithms on all scenes, without pairs with an excluded algorithm.
 TEST(CommonScenes, EveryPairRunsThatIsNotExcluded) {
-  const std::set<std::string_view> names = registered();
+  const std::set<std::string_view> names = registered_names();
   EXPECT_EQ(participants().size(), names.size());
   std::set<const NotApplicable*> used;
   for (const std::string_view scene_name : common_scene_names()) {

@@ -43,7 +43,7 @@ Places lit(const PixelGrid& grid) {
   return places;
 }
 
-PixelGrid united(PixelGrid a, const PixelGrid& b) {
+PixelGrid unite_grids(PixelGrid a, const PixelGrid& b) {
   for (std::size_t i = 0; i < a.values.size(); ++i) a.values[i] = a.values[i] != 0 || b.values[i] != 0 ? 1 : 0;
   return a;
 }
@@ -175,7 +175,7 @@ TEST(DividedAs, APieceThatLiesOnALineEndsThere) {
   EXPECT_NEAR(divided[2].b.x, 100, 0);
 }
 
-std::vector<picture::ReferenceLine> wholly_seen(std::vector<picture::ReferenceLine> lines) {
+std::vector<picture::ReferenceLine> make_fully_visible(std::vector<picture::ReferenceLine> lines) {
   for (auto& line : lines) line.visible = {{0, 1}};
   return lines;
 }
@@ -201,7 +201,7 @@ TEST(SkalaPoints, EqualTheProgramsIfNothingIsHidden) {
     view.rotation = rotation;
     view.visibility = false;
     const scene::HeightGrid grid = scene::sample(*scene::height_function("sinc"), {17, 12});
-    const auto lines = wholly_seen(HeightLines(grid, view).lines());
+    const auto lines = make_fully_visible(HeightLines(grid, view).lines());
     const auto on_board = programs::skala::run({.grid = grid, .view = view});
     ASSERT_TRUE(on_board) << on_board.error().message();
     EXPECT_EQ(skala_points(lines), points_of(on_board->picture.raster)) << rotation;
@@ -236,7 +236,7 @@ TEST(StripesPenPoints, EqualThoseOfTheProgram) {
   EXPECT_GT(lit(shown).size(), 300U);
   const PixelGrid expected = stripes_pen_points(*drawn->faces);
   // The pen cuts corners: it may omit the corner between two links, but goes nowhere else.
-  EXPECT_EQ(united(expected, shown), expected);
+  EXPECT_EQ(unite_grids(expected, shown), expected);
   EXPECT_EQ(picture::raster_difference(expected, shown).missing.beyond_1, 0U);
 }
 

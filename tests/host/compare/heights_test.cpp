@@ -19,7 +19,7 @@
 namespace sightline::compare {
 namespace {
 
-scene::HeightGrid sampled(const char* name, scene::GridSize size) {
+scene::HeightGrid sample_function(const char* name, scene::GridSize size) {
   return scene::sample(*scene::height_function(name), size);
 }
 
@@ -39,10 +39,10 @@ double seen_length(const HeightLines& lines) {
 }
 
 TEST(HeightLines, NothingOfAPlaneIsHiddenAndHalfOfARidgeIs) {
-  const HeightLines plane(sampled("flat", {5, 5}), view_of(algorithms::skala::Subject::lines, 20));
+  const HeightLines plane(sample_function("flat", {5, 5}), view_of(algorithms::skala::Subject::lines, 20));
   for (const auto& line : plane.lines()) EXPECT_NEAR(picture::total(line.visible), 1, 1e-9);
   // A ridge across the view, seen from the horizon: only the first of the three slices and the ridge are visible.
-  scene::HeightGrid ridge = sampled("flat", {3, 3});
+  scene::HeightGrid ridge = sample_function("flat", {3, 3});
   for (std::size_t i = 0; i < 9; ++i) ridge.heights[i] = i / 3 == 1 ? 1 : 0;
   ridge.range = {0, 1};
   algorithms::skala::View level = view_of(algorithms::skala::Subject::lines, 0, 10);
@@ -60,7 +60,7 @@ TEST(HeightLines, NothingOfAPlaneIsHiddenAndHalfOfARidgeIs) {
 }
 
 TEST(HeightLines, AnOmittedPieceIsMissing) {
-  const auto grid = sampled("peaks", {21, 21});
+  const auto grid = sample_function("peaks", {21, 21});
   const algorithms::skala::View view = view_of(algorithms::skala::Subject::contours, 30);
   const HeightLines lines(grid, view);
   algorithms::skala::View native;
@@ -94,7 +94,7 @@ TEST(CompareHeights, NativeLinesAndContoursAreTheVisibleParts) {
         SCOPED_TRACE(std::string(name) +
                      (picture == algorithms::skala::Subject::lines ? " lines " : " contours ") +
                      std::to_string(rotation));
-        const auto grid = sampled(name, {21, 25});
+        const auto grid = sample_function(name, {21, 25});
         const algorithms::skala::View view = view_of(picture, rotation);
         const HeightLines lines(grid, view);
         algorithms::skala::View native;
@@ -121,7 +121,7 @@ TEST(CompareHeights, NativeLinesAndContoursAreTheVisibleParts) {
 
 TEST(CompareHeights, ASurfaceShowsTheNearestCell) {
   for (const double rotation : {30.0, 200.0}) {
-    const auto grid = sampled("peaks", {17, 17});
+    const auto grid = sample_function("peaks", {17, 17});
     const HeightComparison comparison =
         compare_heights(grid, view_of(algorithms::skala::Subject::surface, rotation));
     EXPECT_TRUE(comparison.agrees());
@@ -139,7 +139,7 @@ TEST(CompareHeights, ASurfaceShowsTheNearestCell) {
 }
 
 TEST(CompareHeights, AProgramsRoundingIsMeasured) {
-  const HeightComparison comparison = compare_heights(sampled("sinc", {33, 30}), view_of(algorithms::skala::Subject::lines, 30));
+  const HeightComparison comparison = compare_heights(sample_function("sinc", {33, 30}), view_of(algorithms::skala::Subject::lines, 30));
   ASSERT_EQ(comparison.rasters.size(), 3U);
   for (const std::size_t program : {0U, 1U}) {
     const ComparedRaster& row = comparison.rasters[program];
@@ -163,7 +163,7 @@ TEST(CompareHeights, AProgramsRoundingIsMeasured) {
 }
 
 TEST(CompareDevices, DrawExactLinesWithinRounding) {
-  const auto devices = compare_devices(sampled("peaks", {21, 25}), view_of(algorithms::skala::Subject::lines, 30));
+  const auto devices = compare_devices(sample_function("peaks", {21, 25}), view_of(algorithms::skala::Subject::lines, 30));
   ASSERT_EQ(devices.size(), 4U);
   for (const ComparedDevice& device : devices) {
     SCOPED_TRACE(std::string(device.name));
@@ -180,7 +180,7 @@ TEST(CompareDevices, DrawExactLinesWithinRounding) {
 }
 
 TEST(CompareDevices, ABoardFillsASurfaceAndAPlotterDrawsItsSlices) {
-  const auto grid = sampled("peaks", {21, 25});
+  const auto grid = sample_function("peaks", {21, 25});
   const auto surface = compare_devices(grid, view_of(algorithms::skala::Subject::surface, 30));
   const auto lines = compare_devices(grid, view_of(algorithms::skala::Subject::lines, 30));
   EXPECT_FALSE(surface[0].unrounded);
@@ -242,7 +242,7 @@ TEST(ChordError, IsThatOfTheVisibleParts) {
 TEST(CompareHeights, ContoursHaveRasterAndVectors) {
   algorithms::skala::View view = view_of(algorithms::skala::Subject::contours, 30);
   view.levels = 5;
-  const HeightComparison comparison = compare_heights(sampled("sinc", {25, 25}), view);
+  const HeightComparison comparison = compare_heights(sample_function("sinc", {25, 25}), view);
   EXPECT_TRUE(comparison.agrees()) << comparison.guest_difference;
   ASSERT_EQ(comparison.rasters.size(), 3U);
   ASSERT_EQ(comparison.vectors.size(), 1U);
@@ -251,7 +251,7 @@ TEST(CompareHeights, ContoursHaveRasterAndVectors) {
   EXPECT_LT(native.missing_far + native.extra_far, native.lit / 20);
   const double five = comparison.vectors[0].metrics.true_length;
   view.levels = 10;
-  EXPECT_GT(compare_heights(sampled("sinc", {25, 25}), view).vectors[0].metrics.true_length, 1.3 * five);
+  EXPECT_GT(compare_heights(sample_function("sinc", {25, 25}), view).vectors[0].metrics.true_length, 1.3 * five);
 }
 
 }  // namespace

@@ -226,7 +226,7 @@ TEST(LinesOfVectors, EqualTheScenesLines) {
   }
 }
 
-SceneComparison compared(const char* name, const CompareOptions& options = {}) {
+SceneComparison compare_named(const char* name, const CompareOptions& options = {}) {
   auto result = compare_cell_scene(scene::builtin_scene(name), options);
   EXPECT_TRUE(result) << (!result ? result.error().message() : "");
   return !result ? SceneComparison{} : std::move(*result);
@@ -238,7 +238,7 @@ const ComparedPicture& picture_named(const SceneComparison& comparison, std::str
 }
 
 TEST(CompareCellScene, GuestEqualsTwinAndExactIsExact) {
-  const SceneComparison comparison = compared("roberts");
+  const SceneComparison comparison = compare_named("roberts");
   EXPECT_TRUE(comparison.agrees());
   ASSERT_TRUE(comparison.guest);
   EXPECT_EQ(comparison.guest->difference, "");
@@ -259,8 +259,8 @@ TEST(CompareCellScene, GuestEqualsTwinAndExactIsExact) {
 TEST(CompareCellScene, TakesEyeAndScale) {
   CompareOptions options;
   options.scale = 256;
-  const auto small = compared("house", options);
-  const auto usual = compared("house");
+  const auto small = compare_named("house", options);
+  const auto usual = compare_named("house");
   EXPECT_LT(picture_named(small, "jones-twin").metrics.hausdorff.greatest, 8);
   EXPECT_NE(picture_named(small, "jones-twin").metrics.true_length,
             picture_named(usual, "jones-twin").metrics.true_length);

@@ -21,7 +21,7 @@
 namespace sightline::compare {
 namespace {
 
-scene::PolyScene generated(std::string_view family, std::size_t size) {
+scene::PolyScene generate_scene(std::string_view family, std::size_t size) {
   return *scene::generate_scene(family, size);
 }
 
@@ -64,7 +64,7 @@ AnswerRow row_of(const SweepTable& table, std::string_view method) {
 // Every entry of the table gives the same picture of everything to which it applies.
 TEST(Algorithms, AgreeOnEveryFamily) {
   for (const std::string_view family : {"boxes", "town", "triangles", "bricks"}) {
-    const scene::PolyScene scene = generated(family, 5);
+    const scene::PolyScene scene = generate_scene(family, 5);
     SweepOptions options;
     options.all_lines = true;
     options.oracle = true;
@@ -85,7 +85,7 @@ TEST(Algorithms, AgreeOnEveryFamily) {
 
 // Plantinga's method and the solid turning on the PDP-7 draw every parallel view along level directions.
 TEST(Sweep, MethodsOfTurnsDrawLevelViews) {
-  const scene::PolyScene scene = generated("boxes", 3);
+  const scene::PolyScene scene = generate_scene("boxes", 3);
   SweepOptions options;
   options.methods = {"exact", "plantinga", "turn-pdp7"};
   options.directions = Directions::level;
@@ -105,7 +105,7 @@ TEST(Sweep, MethodsOfTurnsDrawLevelViews) {
 }
 
 TEST(SweepViews, AreInFreeSpaceAndOftenInThePlaneOfAFace) {
-  const scene::PolyScene scene = generated("boxes", 8);
+  const scene::PolyScene scene = generate_scene("boxes", 8);
   std::set<scene::PolyPoint> eyes;
   int orthographic = 0;
   int level_with_a_vertex = 0;
@@ -210,7 +210,7 @@ TEST(Sweep, ShardsEqualTheWhole) {
 }
 
 TEST(Sweep, RecognisesItsOwnLines) {
-  const scene::PolyScene scene = generated("boxes", 3);
+  const scene::PolyScene scene = generate_scene("boxes", 3);
   SweepOptions options;
   const Sweep sweep = sweep_of(scene, options);
   const std::string line = sweep.line(4);
@@ -278,7 +278,7 @@ TEST(SweepTable, CountsWhatDiffers) {
 TEST(Sweep, MeasuresAsCompareDoes) {
   const scene::CellScene cells = scene::builtin_scene("house");
   const scene::PolyScene polyhedra = scene::poly_scene_of(cells);
-  const scene::PolyScene boxes = generated("boxes", 4);
+  const scene::PolyScene boxes = generate_scene("boxes", 4);
   for (const bool of_cells : {true, false}) {
     SweepOptions options;
     options.methods = of_cells ? std::vector<std::string>{"jones-pdp7", "jones-twin", "exact", "montani-re"}
@@ -314,7 +314,7 @@ TEST(Sweep, MeasuresAsCompareDoes) {
 }
 
 TEST(Sweep, DiagnosesWhatAnExactMethodMisses) {
-  const scene::PolyScene scene = generated("boxes", 3);
+  const scene::PolyScene scene = generate_scene("boxes", 3);
   const auto exact = registry::line_algorithms().front().prepare(scene);
   const picture::LinePicture right = exact->view(random_camera(scene, nullptr, Directions::usual, 1, 0))->picture;
   ASSERT_GT(right.pieces.size(), 2U);

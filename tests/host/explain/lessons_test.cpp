@@ -20,7 +20,7 @@
 namespace sightline::explain {
 namespace {
 
-scene::LoadedScene loaded(const std::string& name) {
+scene::LoadedScene load_scene(const std::string& name) {
   auto found = scene::named_scene(name);
   EXPECT_TRUE(found && *found) << name;
   return *scene::load_scene(std::move(**found));
@@ -74,7 +74,7 @@ TEST_P(Lessons, SatisfyTheLawsOnEveryScene) {
     return;
   }
   for (const char* const name : {"house", "roberts", "street4", "boxes-4", "bricks-3", "triangles-3", "town-3", "rooms-1"}) {
-    const scene::LoadedScene source = loaded(name);
+    const scene::LoadedScene source = load_scene(name);
     for (const scene::PolyCamera& camera : {source.scene.camera, parallel()}) {
       const auto cells = scene::own_cells(source);
       const auto lesson = explainer.scene(source.scene, camera, cells ? &*cells : nullptr);
@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(Each, Lessons, testing::Values("exact", "jones", "skala
 // A lesson of lines ends with the picture of `exact`, piece by piece; Montani and Re draw coincident lines once.
 TEST(Lessons, EndWithThePicture) {
   for (const char* const name : {"house", "roberts", "boxes-4", "bricks-3"}) {
-    const scene::LoadedScene source = loaded(name);
+    const scene::LoadedScene source = load_scene(name);
     const auto picture = algorithms::exact::visible_edges(source.scene, source.scene.camera);
     for (const char* const algorithm : {"exact", "jones"}) {
       const auto lesson = find_explainer(algorithm)->scene(source.scene, source.scene.camera, nullptr);
@@ -128,7 +128,7 @@ std::uint64_t count_of(const Step& step, const std::string& name) {
 // degrees. (In its default field of 90 degrees street4 takes two visits less: the search has no window.)
 TEST(Lessons, OfJonesVisitTheCellsThatTheProgramVisits) {
   for (const std::string name : {"house", "roberts", "corridor8", "corridor32", "street4"}) {
-    const scene::LoadedScene source = loaded(name);
+    const scene::LoadedScene source = load_scene(name);
     const auto cells = scene::own_cells(source);
     ASSERT_TRUE(cells) << name;
     const auto lesson = find_explainer("jones")->scene(source.scene, source.scene.camera, &*cells);
@@ -155,7 +155,7 @@ TEST(Lessons, OfJonesVisitTheCellsThatTheProgramVisits) {
 // meets is in exactly one count, and a step names those that lead back towards the eye.
 TEST(Lessons, OfJonesCountEveryPortalOnce) {
   for (const std::string name : {"house", "street4", "boxes-3"}) {
-    const scene::LoadedScene source = loaded(name);
+    const scene::LoadedScene source = load_scene(name);
     const auto lesson = explain_scene(*find_explainer("jones"), source, source.scene.camera);
     ASSERT_TRUE(lesson) << name;
     std::uint64_t portals = 0, told = 0, named_away = 0;
@@ -187,7 +187,7 @@ TEST(Lessons, OfJonesCountEveryPortalOnce) {
   }
   // By hand, from the plan of the house: from cell 1 the doors to cells 0 and 2 lead back, and both other rooms wait after cell
   // 0.
-  const scene::LoadedScene house = loaded("house");
+  const scene::LoadedScene house = load_scene("house");
   const auto lesson = explain_scene(*find_explainer("jones"), house, house.scene.camera);
   std::size_t last_first = 0;
   for (std::size_t n = 0; n < lesson->steps.size(); ++n) {
@@ -202,7 +202,7 @@ TEST(Lessons, OfJonesCountEveryPortalOnce) {
 // Lines drawn by a step lie within its mask, and the sheet is the field of the program on the PDP-7: 90 degrees.
 TEST(Lessons, OfJonesDrawLinesWithinTheMask) {
   for (const std::string name : {"house", "street4"}) {
-    const scene::LoadedScene source = loaded(name);
+    const scene::LoadedScene source = load_scene(name);
     const auto lesson = explain_scene(*find_explainer("jones"), source, source.scene.camera);
     ASSERT_TRUE(lesson) << name;
     EXPECT_EQ(lesson->sheets[0].low, (Point{-1, -1})) << name;
@@ -239,7 +239,7 @@ TEST(Lessons, OfJonesDrawLinesWithinTheMask) {
 
 // If the eye is outside, the lines in the outer walls have a mask, and no cell is named before one is entered.
 TEST(Lessons, OfJonesFromOutsideHaveAMaskFirst) {
-  const scene::LoadedScene boxes = loaded("boxes-3");
+  const scene::LoadedScene boxes = load_scene("boxes-3");
   const auto perspective = explain_scene(*find_explainer("jones"), boxes, boxes.scene.camera);
   ASSERT_TRUE(perspective);
   bool inside = false;
@@ -247,7 +247,7 @@ TEST(Lessons, OfJonesFromOutsideHaveAMaskFirst) {
     inside |= step.caption.find(" is entered.") != std::string::npos;  // then its mask may be off the sheet
     EXPECT_TRUE(inside || step.caption.find("mask") == std::string::npos || !layers["mask"].empty()) << step.caption;
   });
-  const scene::LoadedScene source = loaded("house");
+  const scene::LoadedScene source = load_scene("house");
   const auto lesson = explain_scene(*find_explainer("jones"), source, parallel());
   ASSERT_TRUE(lesson);
   bool entered = false, mask = false;
@@ -268,7 +268,7 @@ TEST(Lessons, OfJonesFromOutsideHaveAMaskFirst) {
 
 // The arrow of the plan is the viewing direction, whichever axis points up on the sheet.
 TEST(PlanStage, HasAnArrowInTheDirectionOfView) {
-  const scene::PolyScene scene = loaded("boxes-3").scene;
+  const scene::PolyScene scene = load_scene("boxes-3").scene;
   for (const bool perspective : {true, false}) {
     const scene::PolyCamera camera{perspective, {10, 20, 30}, {70, 0, 71}, {71, 0, -70}, {0, 1, 0}};
     const PlanStage ground(scene, camera);
@@ -289,7 +289,7 @@ TEST(PlanStage, HasAnArrowInTheDirectionOfView) {
 
 // A lesson at its size limit ends the search there, with a message.
 TEST(Lessons, OfJonesStopAtTheLimit) {
-  const scene::LoadedScene source = loaded("boxes-40");
+  const scene::LoadedScene source = load_scene("boxes-40");
   const auto lesson = explain_scene(*find_explainer("jones"), source, source.scene.camera);
   ASSERT_TRUE(lesson);
   EXPECT_EQ(lesson->cut, lesson->steps.size() == most_steps);
@@ -299,7 +299,7 @@ TEST(Lessons, OfJonesStopAtTheLimit) {
 // A lesson of a turn begins and ends with the picture of `exact`, and passes every event once.
 TEST(Lessons, OfATurnBeginAndEndWithTheExactPicture) {
   for (const char* const name : {"house", "roberts", "boxes-4", "triangles-8"}) {
-    scene::PolyScene scene = loaded(name).scene;
+    scene::PolyScene scene = load_scene(name).scene;
     scene.camera = {false, {0, 0, 0}, {-271, 0, 314}, {314, 0, 271}, {0, 1, 0}};
     const auto picture = algorithms::exact::visible_edges(scene, scene.camera);
     const auto lesson = find_explainer("plantinga")->scene(scene, scene.camera, nullptr);
@@ -335,7 +335,7 @@ TEST(Lessons, OfATurnBeginAndEndWithTheExactPicture) {
 TEST(Lessons, OfATurnExplainTheEventsThatOccur) {
   std::size_t with_less = 0;
   for (const char* const name : {"house", "boxes-2", "boxes-3", "triangles-8"}) {
-    const scene::LoadedScene source = loaded(name);
+    const scene::LoadedScene source = load_scene(name);
     const auto lesson = explain_scene(*find_explainer("plantinga"), source, source.scene.camera);
     ASSERT_TRUE(lesson) << name;
     for (const Step& step : lesson->steps) {
@@ -359,7 +359,7 @@ TEST(Lessons, OfATurnExplainTheEventsThatOccur) {
 // The picture is the camera's and not its mirror image, for any handedness of right, up and forward.
 TEST(Lessons, OfATurnAreNotMirrored) {
   for (const char* const name : {"house", "boxes-3"}) {
-    const scene::PolyScene scene = loaded(name).scene;
+    const scene::PolyScene scene = load_scene(name).scene;
     for (const int hand : {1, -1}) {
       const scene::PolyCamera camera{false, {0, 0, 0}, {-271, 0, 314}, {314 * hand, 0, 271 * hand}, {0, 1, 0}};
       const auto lesson = find_explainer("plantinga")->scene(scene, camera, nullptr);
@@ -380,7 +380,7 @@ TEST(Lessons, OfATurnAreNotMirrored) {
 }
 
 TEST(Lessons, OfAPerspectiveCameraNameTheUsedPartOfIt) {
-  const scene::LoadedScene source = loaded("house");
+  const scene::LoadedScene source = load_scene("house");
   const auto perspective = find_explainer("plantinga")->scene(source.scene, source.scene.camera, nullptr);
   ASSERT_TRUE(perspective);
   EXPECT_NE(perspective->steps[0].caption.find("horizontal direction"), std::string::npos);
@@ -396,7 +396,7 @@ TEST(Lessons, OfAPerspectiveCameraNameTheUsedPartOfIt) {
 TEST(Lessons, ExistForEveryBuiltInSceneOrAnErrorSaysWhyNot) {
   std::size_t made = 0;
   for (const std::string_view name : scene::builtin_scene_names()) {
-    const scene::LoadedScene source = loaded(std::string(name));
+    const scene::LoadedScene source = load_scene(std::string(name));
     const auto lesson = find_explainer("exact")->scene(source.scene, source.scene.camera, nullptr);
     if (lesson) {
       expect_lawful(*lesson, std::string(name));
@@ -418,7 +418,7 @@ TEST(Explainers, AreTheFiveOfThePapersAndExact) {
 }
 
 TEST(Lessons, RejectUnsuitableScenes) {
-  const scene::LoadedScene large = loaded("boxes-200");
+  const scene::LoadedScene large = load_scene("boxes-200");
   EXPECT_FALSE(find_explainer("willis")->scene(large.scene, large.scene.camera, nullptr));
   EXPECT_FALSE(find_explainer("plantinga")->scene(large.scene, large.scene.camera, nullptr));
 }

@@ -110,7 +110,7 @@ TEST(Predicates, SegmentsMeetAlsoInAPointOrOnALine) {
   EXPECT_TRUE(segments_meet({1, 1}, {1, 1}, {0, 0}, {2, 2}));
 }
 
-Point3 moved(const Point3& p, const Point3& by) {
+Point3 translate(const Point3& p, const Point3& by) {
   return {p[0] + by[0], p[1] + by[1], p[2] + by[2]};
 }
 Point2 flat(const Point3& p) {
@@ -123,7 +123,7 @@ TEST(Predicates, TranslationChangesNothing) {
     for (int i = 0; i < 500; ++i) {
       const Point3 a = points.next(), b = points.next(), c = points.next(), d = points.next();
       const Point3 by = points.next();
-      const Point3 a1 = moved(a, by), b1 = moved(b, by), c1 = moved(c, by), d1 = moved(d, by);
+      const Point3 a1 = translate(a, by), b1 = translate(b, by), c1 = translate(c, by), d1 = translate(d, by);
       EXPECT_EQ(normal_of(a1, b1, c1), normal_of(a, b, c));
       EXPECT_EQ(orientation(a1, b1, c1, d1), orientation(a, b, c, d));
       EXPECT_EQ(turn(flat(a1), flat(b1), flat(c1)), turn(flat(a), flat(b), flat(c)));

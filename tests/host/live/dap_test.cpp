@@ -31,7 +31,7 @@ namespace {
 
 using nlohmann::json;
 
-std::string framed(const std::string& message) {
+std::string frame_message(const std::string& message) {
   return "Content-Length: " + std::to_string(message.size()) + "\r\n\r\n" + message;
 }
 
@@ -58,7 +58,7 @@ std::vector<json> messages(const std::string& wire) {
 class Dap : public CommandLine {
  protected:
   void request(const std::string& command, json arguments = json::object()) {
-    script_ += framed(json{{"seq", ++sequence_}, {"type", "request"}, {"command", command}, {"arguments", std::move(arguments)}}
+    script_ += frame_message(json{{"seq", ++sequence_}, {"type", "request"}, {"command", command}, {"arguments", std::move(arguments)}}
                           .dump());
   }
   void hold() {
@@ -177,7 +177,7 @@ class DapSteps : public Dap {
 };
 
 template <class Assembly>
-live::Launched launched(const machines::MachineDescription& description, MachineRun& of, const Assembly& assembly,
+live::Launched launch_run(const machines::MachineDescription& description, MachineRun& of, const Assembly& assembly,
                         const std::string& table, const char* start = "100") {
   for (const auto& diagnostic : assembly.diagnostics) ADD_FAILURE() << assembler::to_string(diagnostic);
   of.set("--start", start).monitored();
@@ -189,21 +189,21 @@ live::Launched launched(const machines::MachineDescription& description, Machine
   return {&description, std::move(*prepared), std::move(symbols), {}};
 }
 
-live::Launched pdp7_launched(const std::string& source, const char* start = "100") {
+live::Launched launch_pdp7(const std::string& source, const char* start = "100") {
   const std::vector<assembler::SourceFile> sources{{"p.s", source}};
   const auto assembly = assembler::assemble_pdp7(sources, {});
   const auto tape = image::write_rim(assembly.image, "p.rim");
   MachineRun of(machines::pdp7());
   of.set_file("--load", "p.rim", {reinterpret_cast<const char*>(tape->data()), tape->size()});
-  return launched(machines::pdp7(), of, assembly, assembler::write_symbols(assembly.symbols), start);
+  return launch_run(machines::pdp7(), of, assembly, assembler::write_symbols(assembly.symbols), start);
 }
 
-live::Launched i8080_launched(const std::string& source) {
+live::Launched launch_i8080(const std::string& source) {
   const std::vector<assembler::SourceFile> sources{{"p.asm", source}};
   const auto assembly = assembler::assemble_i8080(sources);
   MachineRun of(machines::i8080());
   of.set_file("--load", "p.hex", image::write_intel_hex(assembly.image)).set("--cpm").set("--console", "ascii");
-  return launched(machines::i8080(), of, assembly, assembler::write_i8080_symbols(assembly.symbols));
+  return launch_run(machines::i8080(), of, assembly, assembler::write_i8080_symbols(assembly.symbols));
 }
 
 TEST_F(DapSteps, ThePdp7RunsForwardAndBack) {
@@ -235,7 +235,7 @@ TEST_F(DapSteps, ThePdp7RunsForwardAndBack) {
   request("disassemble", {{"memoryReference", "0x40"}, {"instructionOffset", -1}, {"instructionCount", 2}});
   request("disconnect");
   hold_with([](const json&) {
-    return pdp7_launched(
+    return launch_pdp7(
         "100/\nbegin, lac (3\n  jms store\n  lac (5\n  jms store\n  hlt\nstore, 0\n  dac place\n  jmp i store\n"
         "place, 0\n  start begin\n");
   });
@@ -275,7 +275,7 @@ TEST_F(DapSteps, The8080PrintsAndHasWatchpoints) {
   request("scopes", {{"frameId", 0}});
   request("disconnect");
   hold_with([](const json&) {
-    return i8080_launched("\tORG 100H\nAGAIN:\tMVI C,1\n\tCALL 5\n\tNOP\n\tMOV D,A\n\tJMP AGAIN\n");
+    return launch_i8080("\tORG 100H\nAGAIN:\tMVI C,1\n\tCALL 5\n\tNOP\n\tMOV D,A\n\tJMP AGAIN\n");
   });
   EXPECT_EQ(answer("setBreakpoints").at("body").at("breakpoints").at(0).at("line"), 4);
   EXPECT_EQ(registers(0, {"PC", "A"}), "A=42 PC=0106");
@@ -295,7 +295,7 @@ TEST_F(DapSteps, RowsBeforeAnAddressOfThe8080) {
   request("disassemble", {{"memoryReference", "0xFFFF"}, {"instructionOffset", 3}, {"instructionCount", 2}});
   request("disconnect");
   hold_with([](const json&) {
-    return i8080_launched("\tORG 100H\n\tLXI H,2121H\n\tMVI A,21H\n\tINX H\n\tCALL 2121H\n\tMVI M,3EH\n\tHLT\n");
+    return launch_i8080("\tORG 100H\n\tLXI H,2121H\n\tMVI A,21H\n\tINX H\n\tCALL 2121H\n\tMVI M,3EH\n\tHLT\n");
   });
   const auto addresses = [this](std::size_t n) {
     std::string text;
@@ -335,7 +335,7 @@ TEST_F(DapSteps, RestartsWithItsBreakpoints) {
   hold_with([&launches](const json&) {
     const std::string head = launches++ == 0 ? "100/\n" : "300/\n";
     const std::string gone = launches == 1 ? "gone, 0\n" : "0\n";
-    return pdp7_launched(head + "begin, lac (3\n jms store\n lac (5\n jms store\n hlt\nstore, 0\n dac place\n jmp i store\nplace, 0\n" + gone +
+    return launch_pdp7(head + "begin, lac (3\n jms store\n lac (5\n jms store\n hlt\nstore, 0\n dac place\n jmp i store\nplace, 0\n" + gone +
                              " start begin\n",
                          launches == 1 ? "100" : "300");
   });
@@ -364,7 +364,7 @@ TEST_F(DapSteps, RestartOfABrokenSourceLeavesTheMachine) {
   int launches = 0;
   hold_with([&launches](const json&) -> base::Result<live::Launched> {
     if (launches++ != 0) return base::bad_input("p.s: the source has errors");
-    return pdp7_launched("100/\nbegin, hlt\n start begin\n");
+    return launch_pdp7("100/\nbegin, hlt\n start begin\n");
   });
   EXPECT_EQ(answer("restart").at("success"), false);
   EXPECT_EQ(answer("restart").at("message"), "p.s: the source has errors");
@@ -397,7 +397,7 @@ TEST_F(DapSteps, TheConsoleTakesTheVerbsOfTheMonitor) {
   request("completions", {{"text", "hist"}, {"column", 5}});
   request("disconnect");
   hold_with([](const json&) {
-    return pdp7_launched("100/\nbegin, lac (3\n jms store\n lac (5\n jms store\n hlt\nstore, 0\n dac place\n jmp i store\nplace, 0\n start begin\n");
+    return launch_pdp7("100/\nbegin, lac (3\n jms store\n lac (5\n jms store\n hlt\nstore, 0\n dac place\n jmp i store\nplace, 0\n start begin\n");
   });
   const auto result = [this](std::size_t n) {
     const json whole = answer("evaluate", n);
@@ -442,7 +442,7 @@ TEST_F(DapSteps, StepsByLinesAndByInstructions) {
   look();
   request("disconnect");
   hold_with([](const json&) {
-    return i8080_launched("\tORG 100H\nUP3:\tMACRO\n\tINX H\n\tINX H\n\tINX H\n\tENDM\n\tNOP\nBEGIN:\tNOP\n"
+    return launch_i8080("\tORG 100H\nUP3:\tMACRO\n\tINX H\n\tINX H\n\tINX H\n\tENDM\n\tNOP\nBEGIN:\tNOP\n"
                           "\tREPT 1\n\tINR A ! INR A ! INR A\n\tENDM\nSELF:\tJMP SELF\n");
   });
   EXPECT_EQ(registers(0, {"PC"}), "PC=0102");
@@ -463,7 +463,7 @@ TEST_F(DapSteps, ExpressionsAreSetAndCompleted) {
   request("dataBreakpointInfo", {{"name", "time"}});
   request("variables", {{"variablesReference", 3}});
   request("disconnect");
-  hold_with([](const json&) { return pdp7_launched("100/\nbegin, hlt\nplace, 5\nplan=7\n  start begin\n"); });
+  hold_with([](const json&) { return launch_pdp7("100/\nbegin, hlt\nplace, 5\nplan=7\n  start begin\n"); });
   EXPECT_EQ(answer("setExpression", 0).at("body").at("value"), "000017");
   EXPECT_EQ(answer("setExpression", 1).at("body").at("value"), "000020");
   EXPECT_EQ(answer("setExpression", 2).at("success"), false);
@@ -507,7 +507,7 @@ TEST_F(DapSteps, ASystemBootsFromADisk) {
     MachineRun of(machines::pdp7());
     of.set_file("--load", "boot.rim", {reinterpret_cast<const char*>(tape->data()), tape->size()});
     of.set_file("--disk", "disk", disk_system_image());
-    return launched(machines::pdp7(), of, assembly, assembler::write_symbols(assembly.symbols), "7700");
+    return launch_run(machines::pdp7(), of, assembly, assembler::write_symbols(assembly.symbols), "7700");
   },
             [&changed](const machines::Machine& machine) -> base::Result<base::Done> {
               changed = machine.changed_media().size();
@@ -544,7 +544,7 @@ TEST_F(DapSteps, RequestsWithAnyContentAreAnswered) {
   }
   const int requests = sequence_;
   hold_with([](const json&) {
-    auto session = pdp7_launched("100/\nbegin, isz 200\n  jmp begin\n  hlt\n200/ 777000\n  start begin\n");
+    auto session = launch_pdp7("100/\nbegin, isz 200\n  jmp begin\n  hlt\n200/ 777000\n  start begin\n");
     session.prepared.limits.instructions = 20000;  // the code after the HLT need not end
     return session;
   });
@@ -568,7 +568,7 @@ TEST_F(DapSteps, NumbersAtTheEndsOfTheirRange) {
   request("readMemory", {{"memoryReference", "0xFFFF"}, {"count", largest}});
   request("completions", {{"text", "a"}, {"column", smallest}});
   request("disconnect");
-  hold_with([](const json&) { return i8080_launched("\tORG 100H\n\tCALL SUB\n\tHLT\nSUB:\tRET\n"); });
+  hold_with([](const json&) { return launch_i8080("\tORG 100H\n\tCALL SUB\n\tHLT\nSUB:\tRET\n"); });
   EXPECT_EQ(answer("stackTrace").at("body").at("stackFrames").size(), 1U);  // of the caller
   EXPECT_EQ(answer("setBreakpoints").at("body").at("breakpoints").at(0).at("verified"), false);
   EXPECT_EQ(answer("readMemory", 0).at("success"), false);
@@ -627,8 +627,8 @@ TEST_F(Dap, AnInvalidMessageEndsTheSession) {
   EXPECT_NE(ends("GET / HTTP/1.1\r\n\r\n").find("expected one in the headers"), std::string::npos);
   EXPECT_NE(ends("Content-Length: many\r\n\r\n").find("Content-Length"), std::string::npos);
   EXPECT_NE(ends("Content-Length: 99999999999\r\n\r\n").find("at most 16777216"), std::string::npos);
-  EXPECT_NE(ends(framed("{")).find("message"), std::string::npos);
-  EXPECT_NE(ends(framed("[1]")).find("expected an object as a message"), std::string::npos);
+  EXPECT_NE(ends(frame_message("{")).find("message"), std::string::npos);
+  EXPECT_NE(ends(frame_message("[1]")).find("expected an object as a message"), std::string::npos);
   EXPECT_NE(ends(std::string(5000, 'x')).find("without an empty line"), std::string::npos);
   // A client that disconnects is not an error.
   EXPECT_EQ(sightline({"dap"}, "").exit_code, 0);

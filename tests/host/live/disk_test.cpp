@@ -84,7 +84,7 @@ TEST_F(Disk, AMonitorSessionCanSwapDisks) {
 // Only Ctrl-C ends this session: earlier writes are written back.
 TEST_F(Disk, CtrlCInAPipedMonitorWritesTheDiskBack) {
   write("commands", "expect \"*\"\nsend \"w5Z\"\nexpect \"k\"\nrun until 1==0\nev 1\n");
-  const Ran ran = interrupted({"monitor", "pdp7", "boot.rim", "--disk", "disk", "--console", "unix", "--do", "commands"});
+  const Ran ran = run_interrupted({"monitor", "pdp7", "boot.rim", "--disk", "disk", "--console", "unix", "--do", "commands"});
   EXPECT_EQ(ran.exit_code, 130) << ran.out << ran.err;
   EXPECT_EQ(word(read("disk"), 5 * 64), static_cast<std::uint32_t>('Z')) << ran.out;
 }
@@ -101,7 +101,7 @@ TEST_F(Disk, AKilledRunLeavesACompleteImage) {
   const auto whole = std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - begun);
   for (int n = 0; n < sightline::tests::effort(12, 4); ++n) {
     write("disk", image_);
-    killed(words, whole * (70 + static_cast<int>(random() % 35)) / 100);
+    start_and_kill(words, whole * (70 + static_cast<int>(random() % 35)) / 100);
     const std::string now = read("disk");
     EXPECT_TRUE(now == image_ || now == written) << n;
   }

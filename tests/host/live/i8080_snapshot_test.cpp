@@ -179,7 +179,7 @@ TEST(I8080Snapshots, RandomProgramsContinueBitForBit) {
     deferred +=
         static_cast<int>(field(now, "processor", 13, 1)) & static_cast<int>(field(now, "processor", 12, 1));
   }
-  if (!tests::optimised()) return;
+  if (!tests::is_optimised()) return;
   EXPECT_GT(drawing, 0);
   EXPECT_GT(plotting, 0);
   EXPECT_GT(sending, 0);

@@ -362,7 +362,7 @@ TEST(MonitorPdp7, SendsAndExpects) {
   s("assert keyboard==0");
   EXPECT_NE(s("assert keyboard==1", Kind::failed).find("assert: keyboard==1 is not true"), std::string::npos);
   // A minute of emulated time.
-  if (tests::optimised()) {
+  if (tests::is_optimised()) {
     EXPECT_NE(s("expect \"never\"", Kind::failed).find("not printed in 60 s"), std::string::npos);
   }
   s("send \"!\"");
@@ -755,7 +755,7 @@ TEST(MonitorPast, TheWriterIsFoundAfterAnyTime) {
   // The word at 300 is written once, then three million instructions follow.
   auto m = pdp7_session("  lac (5\n  dac 300\nloop, isz 301\n  jmp loop\n  jmp loop\n");
   Session& s = *m;
-  s(tests::optimised() ? "run for 3000000 instructions" : "run for 1200000 instructions");
+  s(tests::is_optimised() ? "run for 3000000 instructions" : "run for 1200000 instructions");
   // LAC and DAC: the write is the fourth cycle.
   EXPECT_NE(s("who 300").find("00300: 000005 was written at 0.000005250 s by 00101"), std::string::npos) << s("who 300");
   EXPECT_NE(s("who 301").find("by 00102"), std::string::npos);

@@ -52,7 +52,7 @@ LawProgram program_of(std::function<std::unique_ptr<machines::Machine>()> make) 
 class JonesSnapshots : public testing::TestWithParam<const char*> {};
 
 TEST_P(JonesSnapshots, ContinueBitForBit) {
-  const jones::Program jones = jones::assembled(GetParam(), true);
+  const jones::Program jones = jones::assemble_jones(GetParam(), true);
   const LawProgram program = program_of([&jones] {
     machines::Pdp7Setup setup;
     setup.display = type340::Options{};
@@ -182,7 +182,7 @@ TEST(Pdp7Snapshots, ContinueFromEveryStateOfTheDevices) {
       break;
     }
   }
-  if (!tests::optimised()) return;
+  if (!tests::is_optimised()) return;
   for (const int times : {reading, punching, typing, clock_on, in_word}) EXPECT_GT(times, 20);
   for (const int times : {pen_stop, lit_pen, interrupt_pending}) EXPECT_GT(times, 0);
 }

@@ -26,7 +26,7 @@ std::unique_ptr<machines::Machine> small_machine(std::uint64_t steps) {
   return machine;
 }
 
-machines::Bytes saved(machines::Machine& machine) {
+machines::Bytes save_state(machines::Machine& machine) {
   return live::save_snapshot("pdp7", machine);
 }
 
@@ -36,7 +36,7 @@ std::string refusal(const machines::Bytes& bytes, machines::Machine& machine, st
 }
 
 // With the correct checksum of the bytes.
-machines::Bytes corrected(machines::Bytes bytes) {
+machines::Bytes correct_checksum(machines::Bytes bytes) {
   const std::size_t content = bytes.size() - 4;
   const std::uint32_t crc = base::crc32(std::span(bytes).first(content));
   for (std::size_t i = 0; i < 4; ++i) bytes[content + i] = static_cast<std::uint8_t>(crc >> (8 * i));
@@ -63,7 +63,7 @@ TEST(Crc32, HasThePublishedCheckValue) {
 
 TEST(Snapshot, ReadsWhatItWrites) {
   const auto machine = small_machine(40);
-  const machines::Bytes bytes = saved(*machine);
+  const machines::Bytes bytes = save_state(*machine);
   const auto snapshot = live::decode_snapshot(bytes, "a.snap");
   ASSERT_TRUE(snapshot.has_value());
   EXPECT_EQ(snapshot->machine, "pdp7");
@@ -78,7 +78,7 @@ TEST(Snapshot, ReadsWhatItWrites) {
 TEST(Snapshot, ReadsAFileOfThisVersion) {
   const std::string name = "snapshot/pdp7-4k.snap";
   const auto machine = small_machine(40);
-  const machines::Bytes now = saved(*machine);
+  const machines::Bytes now = save_state(*machine);
   EXPECT_TRUE(tests::matches_approved({reinterpret_cast<const char*>(now.data()), now.size()}, name));
   const auto file = base::read_file(tests::approved_path(name).string());
   ASSERT_TRUE(file.has_value());
@@ -86,13 +86,13 @@ TEST(Snapshot, ReadsAFileOfThisVersion) {
   EXPECT_EQ(refusal(*file, *other), "nothing was refused");
   static_cast<void>(other->run({540}, true));
   static_cast<void>(machine->run({540}, true));
-  EXPECT_TRUE(saved(*other) == saved(*machine));
+  EXPECT_TRUE(save_state(*other) == save_state(*machine));
   EXPECT_EQ(other->ticks(), 1'018'500);
 }
 
 TEST(Snapshot, EveryDamagedByteIsFound) {
   const auto machine = small_machine(40);
-  const machines::Bytes bytes = saved(*machine);
+  const machines::Bytes bytes = save_state(*machine);
   for (std::size_t at = 0; at < bytes.size(); at += tests::effort(1U, 7U)) {
     machines::Bytes damaged = bytes;
     damaged[at] = static_cast<std::uint8_t>(damaged[at] ^ (1U << (at % 8)));
@@ -105,7 +105,7 @@ TEST(Snapshot, EveryDamagedByteIsFound) {
 
 TEST(Snapshot, EveryTruncationIsFound) {
   const auto machine = small_machine(40);
-  machines::Bytes bytes = saved(*machine);
+  machines::Bytes bytes = save_state(*machine);
   bytes.push_back(0);
   EXPECT_FALSE(live::decode_snapshot(bytes, "a.snap").has_value());
   bytes.pop_back();
@@ -117,8 +117,8 @@ TEST(Snapshot, EveryTruncationIsFound) {
 TEST(Snapshot, ChangedFieldsWithACorrectChecksumAreRejectedOrRun) {
   const auto machine = small_machine(40);
   const auto other = small_machine(17);
-  const machines::Bytes bytes = saved(*machine);
-  machines::Bytes before = saved(*other);
+  const machines::Bytes bytes = save_state(*machine);
+  machines::Bytes before = save_state(*other);
   int refused = 0;
   int accepted = 0;
   // Core is in the middle: any words are valid there.
@@ -126,13 +126,13 @@ TEST(Snapshot, ChangedFieldsWithACorrectChecksumAreRejectedOrRun) {
     for (const unsigned change : {0x01U, 0x80U, 0xFFU}) {
       machines::Bytes damaged = bytes;
       damaged[at] = static_cast<std::uint8_t>(damaged[at] ^ change);
-      if (refusal(corrected(damaged), *other) == "nothing was refused") {
+      if (refusal(correct_checksum(damaged), *other) == "nothing was refused") {
         ++accepted;
         static_cast<void>(other->run({other->instructions() + 50, other->ticks() + 1'000'000}, true));
-        before = saved(*other);
+        before = save_state(*other);
       } else {
         ++refused;
-        ASSERT_EQ(saved(*other), before) << "byte " << at;
+        ASSERT_EQ(save_state(*other), before) << "byte " << at;
       }
     }
   }
@@ -142,7 +142,7 @@ TEST(Snapshot, ChangedFieldsWithACorrectChecksumAreRejectedOrRun) {
 
 TEST(Snapshot, ErrorsSayWhatToDo) {
   const auto machine = small_machine(40);
-  const machines::Bytes bytes = saved(*machine);
+  const machines::Bytes bytes = save_state(*machine);
   EXPECT_EQ(refusal({1, 2, 3}, *machine),
             "a.snap: byte 0: found no signature of a snapshot, expected a file that --save has written");
   machines::Bytes changed = bytes;
@@ -179,7 +179,7 @@ TEST(Snapshot, AnotherTapeIsAnError) {
   setup.display = type340::Options{true, true, true};
   setup.configuration = {"--memory 4k", "--eae"};
   const auto other = machines::make_pdp7(std::move(setup)).value();
-  EXPECT_EQ(refusal(saved(*machine), *other),
+  EXPECT_EQ(refusal(save_state(*machine), *other),
             "a.snap: section \"reader\", byte 12, tape: found another input: none, expected 40 bytes with "
             "the CRC-32 "
             "90C54618; name the file that the snapshot was made with");

@@ -35,7 +35,7 @@ struct Dump {
 // Reads a dump by the standard's grammar, as far as Sightline uses it, and checks its rules: instants ascend, each change changes
 // the
 // value, every identifier is declared, values fit.
-Dump parsed(const std::string& text) {
+Dump parse_dump(const std::string& text) {
   Dump dump;
   std::map<std::string, std::string> names;
   std::istringstream in(text);
@@ -97,7 +97,7 @@ class Vcd : public CommandLine {
     words.insert(words.end(), options.begin(), options.end());
     const Ran ran = sightline(words);
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
-    return parsed(read("d.vcd"));
+    return parse_dump(read("d.vcd"));
   }
   // Converts the dump by GTKWave's converter.
   void expect_converts() {
@@ -253,7 +253,7 @@ TEST_F(Vcd, TheInterruptOfADeviceOfThe8080) {
                        "--interrupt", "2sio=7", "--console", "ascii", "--send", "A"})
                 .exit_code,
             0);
-  const Dump dump = parsed(read("d.vcd"));
+  const Dump dump = parse_dump(read("d.vcd"));
   std::string values;
   std::vector<std::int64_t> times;
   for (const auto& [time, value] : dump.changes.at("int")) {
@@ -277,7 +277,7 @@ TEST_F(Vcd, TheInterruptOfADeviceOfThe8080) {
 TEST_F(Vcd, ADumpWithoutChangesIsOne) {
   static_cast<void>(run("pdp7", "100/ hlt\n  start 100\n", {}));
   ASSERT_EQ(sightline({"run", "pdp7", "p.rim", "--start", "100", "--vcd", "d.vcd:display"}).exit_code, 0);
-  const Dump dump = parsed(read("d.vcd"));
+  const Dump dump = parse_dump(read("d.vcd"));
   EXPECT_EQ(dump.bits.size(), 4U);
   EXPECT_TRUE(read("d.vcd").ends_with("#1750\n")) << read("d.vcd");
 }
@@ -294,7 +294,7 @@ TEST_F(Vcd, SignalsAreChosenByNameAndGroup) {
   const Dump dump = run("pdp7", "100/ hlt\n  start 100\n", {});
   EXPECT_EQ(dump.bits.size(), 21U);
   ASSERT_EQ(sightline({"run", "pdp7", "p.rim", "--start", "100", "--vcd", "c.vcd:pc,display"}).exit_code, 0);
-  const Dump chosen = parsed(read("c.vcd"));
+  const Dump chosen = parse_dump(read("c.vcd"));
   std::string names;
   for (const auto& [name, bits] : chosen.bits) names += name + " ";
   EXPECT_EQ(names, "edge pc pen request stop ");

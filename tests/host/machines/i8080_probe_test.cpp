@@ -321,7 +321,7 @@ TEST(I8080Probe, WatchpointsStopLikeTheOracle) {
 TEST(I8080Probe, AllKindsOfMarksTogether) {
   [[maybe_unused]] const Walk found = walks({.executed = true, .accesses = true, .ports = true}, 19760101);
   // Few walks reach ports.
-  if (sightline::tests::optimised()) {
+  if (sightline::tests::is_optimised()) {
     for (const auto kind : {Probe::Kind::execution, Probe::Kind::read, Probe::Kind::write, Probe::Kind::port_read, Probe::Kind::port_write, Probe::Kind::interrupt})
       EXPECT_GT(times(found, kind), 20U) << static_cast<int>(kind);
   }

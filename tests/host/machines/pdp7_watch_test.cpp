@@ -100,7 +100,7 @@ std::vector<std::uint64_t> state_of(const Machine& machine) {
 }
 
 // The run under test: runs that are as long as possible, in pieces of any length.
-Run observed(Machine& machine, const Watched& watched, std::uint64_t instructions, std::mt19937_64& random) {
+Run run_observed(Machine& machine, const Watched& watched, std::uint64_t instructions, std::mt19937_64& random) {
   Run done;
   Probe& probe = *machine.probe();
   bool held = watched.question && watched.question->holds(machine);
@@ -125,7 +125,7 @@ Run observed(Machine& machine, const Watched& watched, std::uint64_t instruction
 }
 
 // The oracle: single instructions, with all their cycles reported.
-Run stepped(Machine& machine, const Watched& watched, std::uint64_t instructions) {
+Run run_stepped(Machine& machine, const Watched& watched, std::uint64_t instructions) {
   Run done;
   Probe& probe = *machine.probe();
   std::vector<std::uint8_t> marks(std::size_t{address_mask} + 1);
@@ -290,8 +290,8 @@ void expect_same_stops(std::uint64_t seed, std::uint64_t instructions, std::size
   const auto machine = random_machine(seed);
   const auto oracle = random_machine(seed);
   const Watched watched = random_watch(random, machine->words());
-  const Run found = observed(*machine, watched, instructions, random.engine);
-  const Run expected = stepped(*oracle, watched, instructions);
+  const Run found = run_observed(*machine, watched, instructions, random.engine);
+  const Run expected = run_stepped(*oracle, watched, instructions);
   for (std::size_t n = 0; n < std::min(found.met.size(), expected.met.size()); ++n)
     ASSERT_EQ(found.met[n], expected.met[n]) << "seed " << seed << ", stop " << n << ":\n" << text_of(found.met[n]) << "\n" << text_of(expected.met[n]);
   ASSERT_EQ(found.met.size(), expected.met.size()) << "seed " << seed;

@@ -139,7 +139,7 @@ base::Result<std::vector<std::string>> quoted_words(const std::string& source, s
 
 using Meanings = std::map<std::string, std::string>;
 
-base::Error undescribed(const std::string& word) {
+base::Error missing_description(const std::string& word) {
   return {.found = "\"" + word + "\" of the assembler without a description",
           .expected = "one in tests/host/manual/assembler_facts.cpp"};
 }
@@ -192,7 +192,7 @@ base::Result<std::string> pdp7_pseudo_operations(const std::string& source) {
   Table table{"word", "what it does"};
   for (const std::string& word : words.value()) {
     const auto meaning = meanings.find(word);
-    if (meaning == meanings.end()) return undescribed(word);
+    if (meaning == meanings.end()) return missing_description(word);
     std::string upper = word;
     for (char& c : upper) c = static_cast<char>(c - 'a' + 'A');
     table.row({code(upper), meaning->second});
@@ -261,11 +261,11 @@ base::Result<std::string> i8080_directives(const std::string& source) {
   Table table{"directive", "what it does"};
   for (const auto& [enumerator, meaning] : meanings) {
     const auto found = names.find(enumerator);
-    if (found == names.end()) return undescribed(enumerator);
+    if (found == names.end()) return missing_description(enumerator);
     table.row({found->second, meaning});
     names.erase(found);
   }
-  if (!names.empty()) return undescribed(names.begin()->first);
+  if (!names.empty()) return missing_description(names.begin()->first);
   return table.text();
 }
 

@@ -29,7 +29,7 @@ std::string place(const std::string& text, std::size_t at) {
 }
 
 // The text with all sections as generated, and their number.
-Result<std::string> rewritten(const std::string& text, const std::string& file, const std::string& root, int& count) {
+Result<std::string> rewrite_sections(const std::string& text, const std::string& file, const std::string& root, int& count) {
   std::string result;
   std::size_t at = 0;
   for (;;) {
@@ -89,7 +89,7 @@ int main(int argc, char** argv) {
     std::ifstream in(file, std::ios::binary);
     const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
     if (!in) return complain(file + ": cannot be read");
-    const auto wanted = rewritten(text, file, root, count);
+    const auto wanted = rewrite_sections(text, file, root, count);
     if (!wanted) return complain(wanted.error().message());
     if (wanted.value() == text) continue;
     if (mode == "--write") {

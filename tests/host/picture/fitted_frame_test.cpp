@@ -113,14 +113,14 @@ void expect_same(const std::vector<DrawnSegment>& expected, const std::vector<Dr
   for (const DrawnSegment& line : found) ASSERT_LE(tests::distance_from(expected, line), tolerance) << "a line is extra";
 }
 
-std::vector<DrawnSegment> moved(std::vector<DrawnSegment> lines, double scale, double across, double up) {
+std::vector<DrawnSegment> move_lines(std::vector<DrawnSegment> lines, double scale, double across, double up) {
   for (DrawnSegment& line : lines)
     line = {line[0] * scale + across, line[1] * scale + up, line[2] * scale + across, line[3] * scale + up};
   return lines;
 }
 
 // Upright paper lies on its side in the plotter: its top is to the left.
-std::vector<DrawnSegment> lying(std::vector<DrawnSegment> lines, double height) {
+std::vector<DrawnSegment> turn_upright_paper(std::vector<DrawnSegment> lines, double height) {
   for (DrawnSegment& line : lines) line = {height - line[1], line[0], height - line[3], line[2]};
   return lines;
 }
@@ -190,7 +190,7 @@ TEST(FittedFrame, EveryLineOfThePictureIsInTheFileAndNoOther) {
     const auto in_field = expected_lines(*view, picture, field.width, field.height);
     if (!in_field) continue;
     // On the paper.
-    const std::vector<DrawnSegment> expected = moved(*in_field, 1, paper.margin, paper.margin);
+    const std::vector<DrawnSegment> expected = move_lines(*in_field, 1, paper.margin, paper.margin);
     SCOPED_TRACE("case " + std::to_string(n) + ", format " + std::to_string(format));
     VectorDrawing drawing = line_drawing(picture, view->scene, view->camera, field);
     // Half of them in pen order, which joins ends within 0.005 mm and omits corners within 0.001 mm.
@@ -205,12 +205,12 @@ TEST(FittedFrame, EveryLineOfThePictureIsInTheFileAndNoOther) {
       case 2: expect_same(expected, tests::segments_of(tests::lines_of_dxf(dxf_of(drawing, paper))), slack + 0.0008); break;
       case 3: {
         const auto found = tests::segments_of(tests::lines_of_hpgl(hpgl_of(drawing, paper)));
-        expect_same(expected, moved(found, 0.025, 0, 0), slack + 0.0178);
+        expect_same(expected, move_lines(found, 0.025, 0, 0), slack + 0.0178);
         break;
       }
       case 4: {
         const bool upright = paper.height > paper.width;
-        const std::vector<DrawnSegment> sheet = upright ? lying(expected, paper.height) : expected;
+        const std::vector<DrawnSegment> sheet = upright ? turn_upright_paper(expected, paper.height) : expected;
         // The middle of the paper is the middle of the plotter's range.
         double x = 0;
         double y = 0;
@@ -220,13 +220,13 @@ TEST(FittedFrame, EveryLineOfThePictureIsInTheFileAndNoOther) {
             y = (limits.y * 0.025 - limits.height) / 2;
           }
         const auto found = tests::segments_of(tests::lines_of_hpgl(hpgl_of(drawing, paper, {.plotter = plotter})));
-        expect_same(moved(sheet, 1, x, y), moved(found, 0.025, 0, 0), slack + 0.0178);
+        expect_same(move_lines(sheet, 1, x, y), move_lines(found, 0.025, 0, 0), slack + 0.0178);
         break;
       }
       case 5: {
         const auto found = tests::segments_of(tests::lines_of_steps(step_file_of(drawing, paper)));
         const double up = (279.4 - paper.height) / 2;
-        expect_same(moved(expected, 1, 0, up), moved(found, 0.254, 0, 0), slack + 0.36);
+        expect_same(move_lines(expected, 1, 0, up), move_lines(found, 0.254, 0, 0), slack + 0.36);
         break;
       }
       default: {

@@ -17,7 +17,7 @@ namespace sightline::picture {
 namespace {
 
 // 100 pixels to the right; visible from 20 to 60.
-ReferenceLine hundred(LineId id, double y = 10) {
+ReferenceLine line_of_100_pixels(LineId id, double y = 10) {
   return {id, {{0, y}, {100, y}}, {{0, 1}}, {{0.2, 0.6}}};
 }
 
@@ -26,7 +26,7 @@ DrawnPiece drawn(LineId id, double from, double to, double y = 10) {
 }
 
 TEST(LineMetrics, OfTheVisiblePartsAreZero) {
-  const LineMetrics m = line_metrics({hundred(1)}, {drawn(1, 20, 60)});
+  const LineMetrics m = line_metrics({line_of_100_pixels(1)}, {drawn(1, 20, 60)});
   EXPECT_NEAR(m.true_length, 40, 1e-9);
   EXPECT_NEAR(m.drawn_length, 40, 1e-9);
   EXPECT_NEAR(m.missing, 0, 1e-9);
@@ -39,7 +39,7 @@ TEST(LineMetrics, OfTheVisiblePartsAreZero) {
 
 TEST(LineMetrics, CountsMissingAndExtra) {
   // 15 missing at the left, 10 extra at the right.
-  const LineMetrics m = line_metrics({hundred(1)}, {drawn(1, 35, 70)});
+  const LineMetrics m = line_metrics({line_of_100_pixels(1)}, {drawn(1, 35, 70)});
   EXPECT_NEAR(m.missing, 15, 1e-9);
   EXPECT_NEAR(m.extra, 10, 1e-9);
   EXPECT_NEAR(m.symmetric(), 25, 1e-9);
@@ -57,13 +57,13 @@ TEST(LineMetrics, CountsMissingAndExtra) {
 }
 
 TEST(LineMetrics, APieceNextToItsLineIsMeasuredOnTheLine) {
-  const LineMetrics m = line_metrics({hundred(1)}, {drawn(1, 20, 60, 10.5)});
+  const LineMetrics m = line_metrics({line_of_100_pixels(1)}, {drawn(1, 20, 60, 10.5)});
   EXPECT_NEAR(m.missing + m.extra, 0, 1e-9);
   EXPECT_NEAR(m.hausdorff.greatest, 0.5, 1e-9);
 }
 
 TEST(LineMetrics, DrawingTwiceAndInPartsIsNotAnError) {
-  const LineMetrics m = line_metrics({hundred(1)}, {drawn(1, 20, 45), drawn(1, 60, 40), drawn(1, 30, 50)});
+  const LineMetrics m = line_metrics({line_of_100_pixels(1)}, {drawn(1, 20, 45), drawn(1, 60, 40), drawn(1, 30, 50)});
   EXPECT_NEAR(m.drawn_length, 40, 1e-9);
   EXPECT_NEAR(m.symmetric(), 0, 1e-9);
   EXPECT_EQ(m.pieces_different, 0U);
@@ -71,23 +71,23 @@ TEST(LineMetrics, DrawingTwiceAndInPartsIsNotAnError) {
 
 TEST(LineMetrics, ExtraOnAnotherTrueLineIsNotFar) {
   // Line 2 is half a pixel above line 1, is hidden, and is drawn: extra that is invisible.
-  ReferenceLine hidden = hundred(2, 10.5);
+  ReferenceLine hidden = line_of_100_pixels(2, 10.5);
   hidden.visible.clear();
-  const LineMetrics m = line_metrics({hundred(1), hidden}, {drawn(1, 20, 60), drawn(2, 20, 60, 10.5)});
+  const LineMetrics m = line_metrics({line_of_100_pixels(1), hidden}, {drawn(1, 20, 60), drawn(2, 20, 60, 10.5)});
   EXPECT_NEAR(m.extra, 40, 1e-9);
   EXPECT_NEAR(m.extra_far, 0, 1e-9);
   EXPECT_NEAR(m.hausdorff.greatest, 0.5, 1e-9);
 }
 
 TEST(LineMetrics, PiecesOfUnknownLinesAreExtra) {
-  const LineMetrics m = line_metrics({hundred(1)}, {drawn(1, 20, 60), drawn(9, 0, 30, 50)});
+  const LineMetrics m = line_metrics({line_of_100_pixels(1)}, {drawn(1, 20, 60), drawn(9, 0, 30, 50)});
   EXPECT_NEAR(m.extra, 30, 1e-9);
   EXPECT_NEAR(m.extra_far, 30, 1e-9);
   EXPECT_EQ(m.pieces_different, 1U);
 }
 
 TEST(LineMetrics, SampleOnlyOnEdges) {
-  ReferenceLine line = hundred(1);
+  ReferenceLine line = line_of_100_pixels(1);
   line.edges = {{0, 0.3}, {0.5, 0.6}};
   line.visible = {{0, 0.3}};
   const LineMetrics m = line_metrics({line}, {drawn(1, 0, 30), drawn(1, 30, 50)});
@@ -96,13 +96,13 @@ TEST(LineMetrics, SampleOnlyOnEdges) {
 }
 
 TEST(LineMetrics, OfEmptyPictures) {
-  ReferenceLine hidden = hundred(1);
+  ReferenceLine hidden = line_of_100_pixels(1);
   hidden.visible.clear();
   const LineMetrics nothing = line_metrics({hidden}, {});
   EXPECT_EQ(nothing.hausdorff.greatest, 0);
   EXPECT_EQ(nothing.share(nothing.extra), 0);
   EXPECT_EQ(line_metrics({}, {}).wrong_visibility.points, 0U);
-  const LineMetrics lost = line_metrics({hundred(1)}, {});
+  const LineMetrics lost = line_metrics({line_of_100_pixels(1)}, {});
   EXPECT_NEAR(lost.missing, 40, 1e-9);
   EXPECT_NEAR(lost.missing_far, 40, 1e-9);
   EXPECT_EQ(lost.hausdorff.greatest, std::numeric_limits<double>::infinity());

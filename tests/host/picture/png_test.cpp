@@ -21,7 +21,7 @@ Image noise(int width, int height, int channels) {
   return image;
 }
 
-base::Bytes encoded(const Image& image, const TextEntries& text = {}) {
+base::Bytes encode_image(const Image& image, const TextEntries& text = {}) {
   auto bytes = encode_png(image, text);
   EXPECT_TRUE(bytes) << bytes.error().message();
   return *bytes;
@@ -40,7 +40,7 @@ TEST(Png, StatesItsSizeOnPaper) {
   const std::size_t at = bytes.find("pHYs");
   ASSERT_NE(at, std::string::npos);
   EXPECT_EQ(bytes.substr(at + 4, 9), std::string("\0\0\x17\x12\0\0\x17\x12\1", 9)) << "5,906 pixels per metre";
-  const base::Bytes plain = encoded(noise(4, 3, 1));
+  const base::Bytes plain = encode_image(noise(4, 3, 1));
   EXPECT_EQ(std::string(plain.begin(), plain.end()).find("pHYs"), std::string::npos);
 }
 
@@ -67,7 +67,7 @@ TEST(Png, RoundTrip) {
   for (const int channels : {1, 3}) {
     for (const auto& [width, height] : {std::pair{1, 1}, std::pair{17, 5}, std::pair{300, 200}}) {
       const Image image = noise(width, height, channels);
-      const auto file = decode_png(encoded(image), "noise");
+      const auto file = decode_png(encode_image(image), "noise");
       ASSERT_TRUE(file) << file.error().message();
       EXPECT_TRUE(file->image == image);
       EXPECT_TRUE(file->text.empty());
@@ -77,12 +77,12 @@ TEST(Png, RoundTrip) {
 
 TEST(Png, TextEntriesAreReadBackAndNoTimeIsWritten) {
   const TextEntries text{{"Title", "roberts"}, {"Comment", "two\nlines"}, {"Empty", ""}};
-  const base::Bytes bytes = encoded(noise(4, 4, 1), text);
+  const base::Bytes bytes = encode_image(noise(4, 4, 1), text);
   const auto file = decode_png(bytes, "noise");
   ASSERT_TRUE(file) << file.error().message();
   EXPECT_EQ(file->text, text);
   EXPECT_EQ(std::string(bytes.begin(), bytes.end()).find("tIME"), std::string::npos);
-  EXPECT_EQ(bytes, encoded(noise(4, 4, 1), text));
+  EXPECT_EQ(bytes, encode_image(noise(4, 4, 1), text));
 }
 
 TEST(Png, RejectsImagesThatCannotBeWritten) {
@@ -97,7 +97,7 @@ TEST(Png, RejectsImagesThatCannotBeWritten) {
 }
 
 TEST(Png, EveryTruncationIsAnError) {
-  const base::Bytes bytes = encoded(noise(9, 7, 3), {{"Title", "x"}});
+  const base::Bytes bytes = encode_image(noise(9, 7, 3), {{"Title", "x"}});
   for (std::size_t length = 0; length < bytes.size(); ++length) {
     EXPECT_NE(refusal(base::Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length))),
               "accepted")
@@ -109,7 +109,7 @@ TEST(Png, EveryDamagedBitIsAnError) {
   // Every bit of a PNG file is covered by a checksum, by the signature or by the structure of the chunks, except the checksums of
   // chunks
   // that libpng does not read: the text entry's, which is why this file has none.
-  const base::Bytes bytes = encoded(noise(9, 7, 1));
+  const base::Bytes bytes = encode_image(noise(9, 7, 1));
   for (std::size_t i = 0; i < bytes.size() * 8; ++i) {
     base::Bytes damaged = bytes;
     damaged[i / 8] = static_cast<std::uint8_t>(damaged[i / 8] ^ (1U << (i % 8)));
@@ -123,13 +123,13 @@ TEST(Png, EveryDamagedBitIsAnError) {
 
 TEST(Png, ReportsErrors) {
   EXPECT_EQ(refusal({}), "x.png: byte 0: no PNG signature, expected a PNG file");
-  base::Bytes bytes = encoded(noise(2, 2, 1));
+  base::Bytes bytes = encode_image(noise(2, 2, 1));
   bytes.push_back(0);
   EXPECT_NE(refusal(bytes).find("1 bytes after the last chunk"), std::string::npos);
-  bytes = encoded(noise(2, 2, 1));
+  bytes = encode_image(noise(2, 2, 1));
   bytes[24] = 16;
   EXPECT_NE(refusal(bytes).find("byte 24: 16 bits of colour type 0"), std::string::npos) << refusal(bytes);
-  bytes = encoded(noise(2, 2, 1));
+  bytes = encode_image(noise(2, 2, 1));
   bytes[16] = 0x7f;
   EXPECT_NE(refusal(bytes).find("expected 1 to 8192 each way"), std::string::npos) << refusal(bytes);
   const auto missing = read_png("/nonexistent/picture.png");

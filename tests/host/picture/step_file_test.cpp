@@ -28,7 +28,7 @@ struct Plotted {
   bool ended_up = false;
 };
 
-Plotted plotted(const std::string& file) {
+Plotted plot_steps(const std::string& file) {
   constexpr core::ClockRate rate{3'000'000};
   DrawnSteps drawn;
   core::StrokeBuffer strokes;
@@ -69,7 +69,7 @@ TEST(StepFile, ThePlotterDrawsTheDrawingWithinAStep) {
     }
   }
   const std::string file = step_file_of(drawing, paper);
-  const Plotted back = plotted(file);
+  const Plotted back = plot_steps(file);
   EXPECT_EQ(back.counts.off_carriage + back.counts.off_paper + back.counts.unknown_codes + back.counts.commands_while_busy, 0U);
   EXPECT_EQ(back.counts.pen_lifts, 12U);
   EXPECT_TRUE(back.ended_up);

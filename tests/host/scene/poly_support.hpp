@@ -23,7 +23,7 @@ inline PolyImport read(std::string_view text, PolyFormat format, bool mend = fal
   return *result;
 }
 
-inline std::string written(const PolyScene& scene, PolyFormat format) {
+inline std::string scene_text(const PolyScene& scene, PolyFormat format) {
   const auto text = write_poly(scene, format);
   if (!text) {
     ADD_FAILURE() << text.error().message();

@@ -34,7 +34,7 @@ std::uint32_t number_from(const char* variable, std::uint32_t otherwise) {
 }
 
 // The command that shows the difference again.
-std::string saved(const scene::PolyScene& scene, std::uint32_t seed) {
+std::string save_scene(const scene::PolyScene& scene, std::uint32_t seed) {
   const std::string file = "disagreement-" + std::to_string(seed) + ".json";
   const auto text = scene::write_poly(scene, scene::PolyFormat::json);
   if (!base::write_file_atomically(file, *text)) return "not saved: " + file;
@@ -112,11 +112,11 @@ TEST(AgreementFuzz, AllAlgorithmsAgreeOnRandomScenes) {
     Everyone everyone(random.scene());
     for (int view = 0; view < views && random.look(); ++view, ++looked) {
       if (everyone.differences(random.scene().camera, shares).empty()) continue;
-      const scene::PolyScene small = tests::shrunk(random.scene(), [](const scene::PolyScene& scene) {
+      const scene::PolyScene small = tests::shrink_scene(random.scene(), [](const scene::PolyScene& scene) {
         Shares of_shrinking;
         return !Everyone(scene).differences(scene.camera, of_shrinking).empty();
       });
-      ADD_FAILURE() << "seed " << seed << ", view " << view << "; again: " << saved(small, seed) << "\n"
+      ADD_FAILURE() << "seed " << seed << ", view " << view << "; again: " << save_scene(small, seed) << "\n"
                     << Everyone(small).differences(small.camera, shares);
       break;
     }

@@ -35,7 +35,7 @@ Solid crossing_prisms(Dice& dice) {
     const Matrix turn = random_turn(dice);
     const auto first = solid.vertices.size();
     add_prism(solid, dice, {dice(-20, 20) / 10.0, dice(-20, 20) / 10.0, dice(-30, 10) / 10.0}, 5);
-    for (std::size_t v = first; v < solid.vertices.size(); ++v) solid.vertices[v] = turned(turn, solid.vertices[v]);
+    for (std::size_t v = first; v < solid.vertices.size(); ++v) solid.vertices[v] = rotate(turn, solid.vertices[v]);
   }
   return solid;
 }

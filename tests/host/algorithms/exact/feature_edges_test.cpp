@@ -64,7 +64,7 @@ TEST(FeatureEdges, OfTurnedSolidsAreTheSameEdgesOfTheFile) {
     const auto chosen_of = [&](const Matrix& matrix, const Point& by, bool compare_pieces) {
       const scene::PolyScene scene = scene_of(solid, matrix, by);
       const scene::PolyCamera camera =
-          scene::turned_camera({}, scene::bounds_of(scene).low, turned(matrix, direction), turned(matrix, up), false);
+          scene::turned_camera({}, scene::bounds_of(scene).low, rotate(matrix, direction), rotate(matrix, up), false);
       const picture::EdgeChooser chooser(scene, {});
       picture::ChosenEdges chosen = chooser.at(camera);
       if (compare_pieces) {

@@ -28,7 +28,7 @@ inline Point unit(const Point& a) {
   const double length = std::sqrt(dot(a, a));
   return {a[0] / length, a[1] / length, a[2] / length};
 }
-inline Point turned(const Matrix& m, const Point& p) {
+inline Point rotate(const Matrix& m, const Point& p) {
   return {dot(m[0], p), dot(m[1], p), dot(m[2], p)};
 }
 
@@ -83,7 +83,7 @@ inline scene::PolyScene scene_of(const Solid& solid, const Matrix& turn, const P
   mesh.bodies.emplace_back();
   for (const auto& face : solid.faces) mesh.bodies[0].faces.push_back({face, {}});
   for (const Point& p : solid.vertices) {
-    Point q = turned(turn, p);
+    Point q = rotate(turn, p);
     for (std::size_t a = 0; a < 3; ++a) q[a] = static_cast<float>(q[a] + shift[a]);
     mesh.vertices.push_back(q);
   }

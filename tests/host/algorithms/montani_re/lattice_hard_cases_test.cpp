@@ -68,7 +68,7 @@ Pair regions_of(const std::string& file) {
   return pair;
 }
 
-LatticePcs combined(const Pair& pair, Take take) {
+LatticePcs combine_regions(const Pair& pair, Take take) {
   switch (take) {
     case Take::first: return pair.a.pcs();
     case Take::both: return intersect(pair.a.pcs(), pair.b.pcs());
@@ -148,7 +148,7 @@ void expect_region(const std::string& file, Take take, double area, std::size_t 
                    double stripes_differ = 0) {
   SCOPED_TRACE(file);
   const Pair pair = regions_of(file);
-  const LatticePcs result = combined(pair, take);
+  const LatticePcs result = combine_regions(pair, take);
   const Loops loops = loops_of(result);
   EXPECT_EQ(static_cast<double>(eightfold_area(result)), 8 * area);
   EXPECT_EQ(static_cast<double>(counted_eighths(pair, take)), 8 * area);

@@ -161,7 +161,7 @@ std::vector<Line> boundary_lines(const LatticePcs& pcs) {
   return lines;
 }
 
-LatticeLoop joined(const std::vector<std::uint32_t>& loop, const std::vector<Line>& lines) {
+LatticeLoop join_lines(const std::vector<std::uint32_t>& loop, const std::vector<Line>& lines) {
   LatticeLoop result;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Line& arriving = lines[loop[i == 0 ? loop.size() - 1 : i - 1]];
@@ -271,7 +271,7 @@ std::vector<LatticeLoop> boundary_of(const LatticePcs& pcs) {
         {number(line.from), number(line.to), heading(line.from, line.to), heading(line.to, line.from)});
   }
   std::vector<LatticeLoop> loops;
-  for (const auto& loop : trace_boundary(pieces)) loops.push_back(joined(loop, lines));
+  for (const auto& loop : trace_boundary(pieces)) loops.push_back(join_lines(loop, lines));
   return loops;
 }
 

@@ -31,7 +31,7 @@ std::array<double, 3> point_on(const RotationModel& model, const picture::LineEd
   return p;
 }
 
-Line turned(const std::array<double, 3>& from, const std::array<double, 3>& to, double angle) {
+Line rotate_line(const std::array<double, 3>& from, const std::array<double, 3>& to, double angle) {
   const auto u = [angle](const auto& p) { return p[0] * std::cos(angle) - p[2] * std::sin(angle); };
   return {u(from), from[1], u(to), to[1]};
 }
@@ -39,7 +39,7 @@ Line turned(const std::array<double, 3>& from, const std::array<double, 3>& to, 
 std::vector<Line> exact_lines(const RotationModel& model, const Sight& sight, double angle) {
   std::vector<Line> lines;
   for (const picture::LinePiece& piece : visible_edges(model, sight).pieces) {
-    lines.push_back(turned(point_on(model, piece.edge, real(piece.low)),
+    lines.push_back(rotate_line(point_on(model, piece.edge, real(piece.low)),
                            point_on(model, piece.edge, real(piece.high)), angle));
   }
   return lines;
@@ -80,7 +80,7 @@ TEST_P(Frames, EndWhereTheExactPictureDoes) {
     expect_same(found, expected);
     frames.visible_in_space(graph, angle, space_lines);
     found.clear();
-    for (const SpaceLine& line : space_lines) found.push_back(turned(line.from, line.to, angle));
+    for (const SpaceLine& line : space_lines) found.push_back(rotate_line(line.from, line.to, angle));
     expect_same(found, expected);
     EXPECT_EQ(lines.size(), graph.piece_count());
   }

@@ -73,7 +73,7 @@ TEST(ModelTurns, Spring) {
 }
 
 // (X : Z) to (X : -Z).
-Direction mirrored(const Direction& direction) {
+Direction mirror(const Direction& direction) {
   if (direction.rational) return rational_direction(direction.form.xx, -direction.form.zz);
   const auto roots = roots_of(QuadraticForm{direction.form.xx, -direction.form.xz, direction.form.zz});
   const auto away = [&](const Direction& root) {
@@ -96,7 +96,7 @@ TEST(PlantingaHardCases, P18AMirrorImageHasMirroredEvents) {
           return list.added_by(change).size() == list.removed_by(change).size();
         }))
       continue;
-    const Direction wanted = mirrored(event.direction);
+    const Direction wanted = mirror(event.direction);
     const auto found =
         std::lower_bound(list.events.begin(), list.events.end(), wanted,
                          [](const Event& e, const Direction& d) { return less(e.direction, d); });

@@ -74,7 +74,7 @@ std::vector<picture::PixelSegment> edges_of(const scene::PolyScene& scene) {
   return segments;
 }
 
-PreparedFaces prepared(const scene::PolyScene& scene, double stripe) {
+PreparedFaces prepare_faces(const scene::PolyScene& scene, double stripe) {
   FaceOptions options;
   options.stripe = stripe;
   return *find_face_algorithm("montani-re")->prepare(scene, options);
@@ -90,7 +90,7 @@ TEST(MontaniReFaces, StripesOfAPixelAreRightInsideFaces) {
     const picture::PixelGrid truth = nearest_faces(scene);
     const auto edges = edges_of(scene);
     const auto different = [&](double stripe) {
-      const auto seen = prepared(scene, stripe).view(scene.camera, window);
+      const auto seen = prepare_faces(scene, stripe).view(scene.camera, window);
       const auto metrics = picture::pixel_metrics(truth, seen->faces, edges);
       if (stripe <= 1) {
         EXPECT_EQ(metrics.different_inside, 0U) << setting.family << ' ' << stripe;
@@ -120,7 +120,7 @@ std::vector<double> crossings(const FaceRegion& region, double y) {
 TEST(MontaniReFaces, OutlinesContainThePixelsOfTheirFaces) {
   for (const Setting& setting : settings) {
     const scene::PolyScene scene = scene_of(setting);
-    const auto seen = prepared(scene, 1).regions(scene.camera, window);
+    const auto seen = prepare_faces(scene, 1).regions(scene.camera, window);
     picture::PixelGrid filled(size, size);
     for (const FaceRegion& region : seen->regions) {
       for (int row = 0; row < size; ++row) {

@@ -136,7 +136,7 @@ TEST_P(Covering, LinesOnTheFloorMatchRays) {
       }
     }
   });
-  if (!tests::optimised()) return;
+  if (!tests::is_optimised()) return;
   EXPECT_GT(counts.visible, 150);
   EXPECT_GT(counts.hidden, 50);
   EXPECT_LT(counts.unsure, counts.visible + counts.hidden);
@@ -160,7 +160,7 @@ TEST_P(Covering, EdgesOfTheBoxMatchRays) {
         expect_as_rays(rays, edge.from, edge.to, k / 12.0, std::any_of(drawn.begin(), drawn.end(), on), counts);
       }
   });
-  if (!tests::optimised()) return;
+  if (!tests::is_optimised()) return;
   EXPECT_GT(counts.visible, 500);
   EXPECT_GT(counts.hidden, 30);
   EXPECT_LT(counts.unsure * 4, counts.visible + counts.hidden);

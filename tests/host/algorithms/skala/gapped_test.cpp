@@ -234,7 +234,7 @@ TEST_P(GappedSurface, IsSeenThroughItsHoles) {
     compare_lines({grid}, net_view(rotation, elevation), seed++, counts);
     if (HasFailure()) return;
   }
-  if (!tests::optimised()) return;
+  if (!tests::is_optimised()) return;
   EXPECT_GT(counts.visible, 200);
   EXPECT_GT(counts.hidden, 10);
 }
@@ -255,7 +255,7 @@ TEST(SeveralSurfaces, HideEachOther) {
     compare_lines({low, high}, net_view(rotation, elevation), seed++, counts);
     if (HasFailure()) return;
   }
-  if (!tests::optimised()) return;
+  if (!tests::is_optimised()) return;
   EXPECT_GT(counts.visible, 200);
   EXPECT_GT(counts.hidden, 100);
 }
@@ -278,7 +278,7 @@ TEST(SeveralSurfaces, PassThroughEachOther) {
     compare_meetings(grids, view, meetings);
     if (HasFailure()) return;
   }
-  if (!tests::optimised()) return;
+  if (!tests::is_optimised()) return;
   EXPECT_GT(counts.visible, 200);
   EXPECT_GT(counts.hidden, 100);
   EXPECT_GT(meetings.visible, 100);

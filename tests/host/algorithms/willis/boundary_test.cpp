@@ -19,8 +19,8 @@ namespace {
 
 TEST(WillisBoundary, FaceToFaceNeitherHidesTheOther) {
   const Surface t = wall({0, 10}, {5, 10}, 1);  // seen from below
-  EXPECT_FALSE(form_cluster(turned(wall({0, 0}, {10, 0})), t, {}));
-  EXPECT_TRUE(form_cluster(wall({0, 0}, {10, 0}), t, {}));  // turned the same way
+  EXPECT_FALSE(form_cluster(flip(wall({0, 0}, {10, 0})), t, {}));
+  EXPECT_TRUE(form_cluster(wall({0, 0}, {10, 0}), t, {}));  // facing the same way
 }
 
 TEST(WillisBoundary, AreasBySampling) {
@@ -58,7 +58,7 @@ TEST(WillisBoundary, AreasBySampling) {
 TEST(WillisBoundary, OcclusionWithNormalsFarBeyond90Degrees) {
   const Surface near = wall({17, 0}, {0, 98});
   ASSERT_EQ(near.plane.normal, (Vector3{98, 0, 17}));
-  const Surface s = turned(near);                  // (-98, -17)
+  const Surface s = flip(near);                  // (-98, -17)
   const Surface t = wall({0, 200}, {17, 298}, 1);  // (98, -17)
   EXPECT_TRUE(can_obscure(s, t));
   EXPECT_FALSE(can_obscure(s, t, true));

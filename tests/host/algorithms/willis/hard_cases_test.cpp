@@ -97,7 +97,7 @@ TEST(WillisHardCases, W4InTheOvalOnly) {
 }
 
 // In units of the wall's length squared: the part of a square of three lengths around it that its boundaries cover.
-double covered(const std::vector<Surface>& walls, const Surface& whole, BoundaryShape shape) {
+double covered_area(const std::vector<Surface>& walls, const Surface& whole, BoundaryShape shape) {
   constexpr int steps = 600;
   const std::int32_t from = std::min(whole.points[0][0], whole.points[1][0]);
   const std::int32_t length = std::abs(whole.points[1][0] - whole.points[0][0]);
@@ -119,10 +119,10 @@ TEST(WillisHardCases, W5HalvesCoverALittleOverAThird) {
   const Surface wall = sides_of("W5.json")[0];
   const auto halves = halve(wall);
   ASSERT_TRUE(halves);
-  const double whole = covered({wall}, wall, BoundaryShape::oval);
-  const double parts = covered({(*halves)[0], (*halves)[1]}, wall, BoundaryShape::oval);
+  const double whole = covered_area({wall}, wall, BoundaryShape::oval);
+  const double parts = covered_area({(*halves)[0], (*halves)[1]}, wall, BoundaryShape::oval);
   EXPECT_NEAR(whole, oval_area(), 0.002 * whole);
-  EXPECT_NEAR(covered({wall}, wall, BoundaryShape::ball), two_circles_area(), 0.002 * whole);
+  EXPECT_NEAR(covered_area({wall}, wall, BoundaryShape::ball), two_circles_area(), 0.002 * whole);
   EXPECT_NEAR(parts, halves_ovals_area(), 0.002 * parts);
   EXPECT_NEAR(halves_ovals_area() / oval_area(), 0.34725, 5e-6);  // "about 65 %" less
 }

@@ -39,16 +39,16 @@ TEST(WillisModel, TouchingWallsOfDifferentSolids) {
   const Surface t = wall({10, 0}, {20, 5}, 1);
   // In a corner seen from its inside or outside, neither wall can occlude the other.
   EXPECT_TRUE(plan_model({s, t}).residual.empty());
-  EXPECT_TRUE(plan_model({turned(s), turned(t)}).residual.empty());
+  EXPECT_TRUE(plan_model({flip(s), flip(t)}).residual.empty());
   // If one is seen from below and the other from above, one can hide the other, and no number of cuts helps.
   ModelOptions cuts_only;
   cuts_only.order_cells = false;
-  const Model cut = plan_model({turned(s), t}, cuts_only);
+  const Model cut = plan_model({flip(s), t}, cuts_only);
   EXPECT_FALSE(cut.residual.empty());
   for (const Residual& pair : cut.residual) EXPECT_EQ(pair.reason, ResidualReason::touching);
   EXPECT_LE(cut.pieces.size(), 32U);
   // An order cell helps.
-  const Model ordered = plan_model({turned(s), t});
+  const Model ordered = plan_model({flip(s), t});
   EXPECT_TRUE(ordered.residual.empty());
   EXPECT_EQ(ordered.cells.nodes.size(), 1U);
 }
@@ -126,7 +126,7 @@ TEST(WillisModel, ResidualAndErrorFallWithDepth) {
 
 // From (150, -300) the first wall hides the beginning of the second; their normals are 160 degrees apart.
 TEST(WillisModel, Rule90GivesTheWrongOrder) {
-  const std::vector<Surface> walls{turned(wall({170, 0}, {0, 980}, 0)), wall({100, 500}, {270, 1480}, 1)};
+  const std::vector<Surface> walls{flip(wall({170, 0}, {0, 980}, 0)), wall({100, 500}, {270, 1480}, 1)};
   ASSERT_TRUE(can_obscure(walls[0], walls[1]));
   const scene::PolyCamera eye = eye_at(150, -300);
   const Model paper = plan_model(walls, {.rules = {BoundaryShape::ball, true}});

@@ -26,7 +26,7 @@ inline Surface wall(PlanPoint a, PlanPoint b, std::uint32_t face = 0) {
   return s;
 }
 
-inline Surface turned(const Surface& s) {
+inline Surface flip(const Surface& s) {
   Surface other = s;
   other.points = {s.points[1], s.points[0]};
   other.plane = {geometry::negated(s.plane.normal), -s.plane.offset};

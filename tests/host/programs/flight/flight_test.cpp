@@ -60,7 +60,7 @@ const std::vector<Flight>& all() {
 }
 
 // Runs the flight with all checks; it must be complete.
-Outcome flown(const Flight& flight, Precision precision, bool count_points = false,
+Outcome fly(const Flight& flight, Precision precision, bool count_points = false,
               std::function<void(std::uint32_t frame, std::span<const std::uint32_t> picture)> picture = {}) {
   auto outcome = run({.model = flight.model, .path = flight.path, .precision = precision, .count_points = count_points, .check = true,
                       .picture = std::move(picture)});
@@ -71,7 +71,7 @@ Outcome flown(const Flight& flight, Precision precision, bool count_points = fal
 TEST(Flight, EqualsTheTwinInEveryPriorityOfEveryFrame) {
   for (const Flight& flight : all()) {
     for (const Precision precision : all_precisions) {
-      const Outcome outcome = flown(flight, precision);
+      const Outcome outcome = fly(flight, precision);
       EXPECT_EQ(outcome.flight.status, Status::complete) << flight.name;
       EXPECT_EQ(outcome.frames.size(), flight.path.size()) << flight.name;
     }
@@ -88,7 +88,7 @@ TEST(Flight, StaysInFreeSpace) {
 TEST(Flight, OrdersDistancesThatDifferByMoreThanTheStatedError) {
   for (const Flight& flight : all()) {
     for (const Precision precision : all_precisions) {
-      const Outcome run = flown(flight, precision);
+      const Outcome run = fly(flight, precision);
       const Packed& packed = run.packed;
       for (std::size_t i = 0; i < run.flight.frames.size(); ++i) {
         willis::Point eye = willis::on_lattice(flight.path[i].eye);
@@ -131,7 +131,7 @@ TEST(Flight, CountsWrongOrdersAgainstExactOnes) {
           for (int column = 0; column < 512; ++column)
             other_points[frame] += faces.values[faces.index(column, row)] != picture[static_cast<std::size_t>(511 - row) * 512 + static_cast<std::size_t>(column)] ? 1 : 0;
       };
-      const Outcome run = flown(flight, precision, true, compare_picture);
+      const Outcome run = fly(flight, precision, true, compare_picture);
       for (std::size_t i = 0; i < run.frames.size(); ++i)
         ASSERT_EQ(other_points[i], run.frames[i].wrong_points) << flight.name << ", frame " << i;
       wrong.push_back(run.summary.wrong_orders);
@@ -145,7 +145,7 @@ TEST(Flight, CountsWrongOrdersAgainstExactOnes) {
 TEST(Flight, CostsAsMuchAsTheModelStates) {
   for (const Flight& flight : all()) {
     for (const Precision precision : all_precisions) {
-      const Outcome run = flown(flight, precision);
+      const Outcome run = fly(flight, precision);
       const Packed& packed = run.packed;
       for (std::size_t i = 1; i < run.frames.size(); ++i) {
         const auto measured = static_cast<double>(run.frames[i].computing.count());
@@ -161,7 +161,7 @@ TEST(Flight, IsFastEnough) {
   const Flight flight = flight_through("town-20", scene::generate_town(20), false, frames(), 100);
   ASSERT_EQ(flight.model.pieces.size(), 100U);
   for (const Precision precision : all_precisions) {
-    const Outcome run = flown(flight, precision);
+    const Outcome run = fly(flight, precision);
     EXPECT_GE(run.summary.frames_per_second_worst, precision == Precision::bits_16 ? 12.49 : 24.99);
   }
 }
@@ -191,7 +191,7 @@ TEST(Flight, SeparatesTouchingSolids) {
     ASSERT_GT(flight.model.cells.cells, 2U) << flight.name;
     EXPECT_EQ(flight.model.residual.size(), 0U) << flight.name;
     for (const Precision precision : all_precisions) {
-      const Outcome run = flown(flight, precision, true);
+      const Outcome run = fly(flight, precision, true);
       const Packed& packed = run.packed;
       ASSERT_GT(packed.planes, 0U) << flight.name;
       if (precision == Precision::bits_16) {

@@ -24,7 +24,7 @@ struct SceneBuild {
   bool truncate;
 };
 
-Program assembled(const SceneBuild& build) {
+Program assemble_build(const SceneBuild& build) {
   auto program = assemble_program(scene::builtin_scene(build.scene), {build.eae, build.fraction_bits, build.truncate});
   if (!program) {
     ADD_FAILURE() << program.error().message();
@@ -49,7 +49,7 @@ class JonesBuilds : public testing::TestWithParam<std::tuple<std::string, bool, 
 };
 
 TEST_P(JonesBuilds, GuestAndTwinAgree) {
-  Program program = assembled(build());
+  Program program = assemble_build(build());
   ASSERT_FALSE(program.core.empty());
   const geometry::Box& limits = program.scene.view.limits;
   Dice dice(1971);
@@ -73,7 +73,7 @@ TEST_P(JonesBuilds, GuestAndTwinAgree) {
 }
 
 TEST_P(JonesBuilds, PiecesOnTheMachineEqualThoseOfTheTwin) {
-  const Program program = assembled(build());
+  const Program program = assemble_build(build());
   ASSERT_FALSE(program.core.empty());
   const TwinView expected = twin_view(program, twin_parameters(build()));
   Order order;

@@ -17,7 +17,7 @@ namespace {
 
 using geometry::Point;
 
-EncodedScene encoded(const scene::CellScene& scene, std::optional<Point> eye = {}, std::uint32_t base = 0) {
+EncodedScene encode_default(const scene::CellScene& scene, std::optional<Point> eye = {}, std::uint32_t base = 0) {
   auto result = encode(scene, eye, base);
   if (!result) {
     ADD_FAILURE() << result.error().message();
@@ -34,7 +34,7 @@ TEST(Encode, TakesTheWordsOfTheSpecification) {
                                                                                  {"corridor8", {194, 70}},
                                                                                  {"corridor32", {794, 310}}};
   for (const auto& [name, words] : expected) {
-    const EncodedScene result = encoded(scene::builtin_scene(name));
+    const EncodedScene result = encode_default(scene::builtin_scene(name));
     EXPECT_EQ(result.cell_words, words.first) << name;
     EXPECT_EQ(result.opening_words, words.second) << name;
     EXPECT_EQ(result.words.size(), words.first + words.second + scene_header_words) << name;
@@ -88,7 +88,7 @@ Ends ordered(const Point& a, const Point& b) {
 TEST(Encode, ElementsReadBackAsTheScene) {
   for (const std::string_view name : scene::builtin_scene_names()) {
     const scene::CellScene scene = scene::builtin_scene(name);
-    const EncodedScene result = encoded(scene, {}, 04000);
+    const EncodedScene result = encode_default(scene, {}, 04000);
     const Core core(result);
     for (std::size_t c = 0; c < scene.cells.size(); ++c) {
       const auto chain = core.vectors(result.cell_addresses[c]);
@@ -116,7 +116,7 @@ TEST(Encode, ElementsReadBackAsTheScene) {
 
 TEST(Encode, OpeningsFollowTheFormat) {
   const scene::CellScene scene = scene::builtin_scene("street4");
-  const EncodedScene result = encoded(scene, {}, 02000);
+  const EncodedScene result = encode_default(scene, {}, 02000);
   const Core core(result);
   for (std::size_t o = 0; o < scene.openings.size(); ++o) {
     const std::uint32_t at = result.opening_addresses[o];
@@ -131,10 +131,10 @@ TEST(Encode, OpeningsFollowTheFormat) {
 
 // The house by hand: living room limits x 1..599, y 1..249, z 1..399.
 TEST(Encode, HeaderHoldsTheEyeAndItsLimits) {
-  const EncodedScene result = encoded(scene::builtin_scene("house"), {}, 01000);
+  const EncodedScene result = encode_default(scene::builtin_scene("house"), {}, 01000);
   const std::vector<std::uint32_t> expected{01013, 3, 480, 160, 20, 1, 599, 1, 249, 1, 399};
   for (std::size_t n = 0; n < expected.size(); ++n) EXPECT_EQ(result.words[n].value, expected[n]) << n;
-  const EncodedScene kitchen = encoded(scene::builtin_scene("house"), Point{100, 100, 500}, 01000);
+  const EncodedScene kitchen = encode_default(scene::builtin_scene("house"), Point{100, 100, 500}, 01000);
   EXPECT_EQ(kitchen.view.cell, 1U);
   EXPECT_EQ(kitchen.words[0].value, kitchen.cell_addresses[1]);
   EXPECT_EQ(kitchen.words[9].value, 401U);
@@ -142,7 +142,7 @@ TEST(Encode, HeaderHoldsTheEyeAndItsLimits) {
 }
 
 TEST(Encode, ListEntriesPointToTheWordNamingTheFarCell) {
-  const EncodedScene house = encoded(scene::builtin_scene("house"));
+  const EncodedScene house = encode_default(scene::builtin_scene("house"));
   const Core core(house);
   const auto list_of = [&](std::size_t cell) { return core.vectors(house.cell_addresses[cell]).next; };
   EXPECT_EQ(core[list_of(0)], house.opening_addresses[0] + 1);
@@ -161,7 +161,7 @@ scene::CellScene one_room(std::int32_t depth) {
 }
 
 TEST(Encode, ACellWithoutLinesAndOpeningsIsFiveWords) {
-  const EncodedScene result = encoded(one_room(100));
+  const EncodedScene result = encode_default(one_room(100));
   EXPECT_EQ(result.cell_words, 5U);
   EXPECT_EQ(result.words.back().value, 0400000U);
 }
@@ -169,7 +169,7 @@ TEST(Encode, ACellWithoutLinesAndOpeningsIsFiveWords) {
 TEST(Encode, SplitsVectorsThatAWordCannotHold) {
   scene::CellScene scene = one_room(32767);
   scene.cells[0].lines = {{{0, 0, 32767}, {0, 0, 0}}, {{100, 0, 32767}, {100, 100, 32767}}};
-  const EncodedScene result = encoded(scene);
+  const EncodedScene result = encode_default(scene);
   const auto chain = Core(result).vectors(result.cell_addresses[0]);
   // the line: -16383 twice and -1; the way to the next: i, then k in three; the line
   EXPECT_EQ(chain.count, 3U + 1 + 3 + 1);
@@ -236,7 +236,7 @@ TEST(WriteTape, AssemblesToTheEncodedWords) {
     const auto tape = *write_tape(scene);
     EXPECT_EQ(tape[0], '/');
     std::vector<std::uint32_t> expected;
-    for (const EncodedWord& word : encoded(scene, {}, 03456).words) expected.push_back(word.value);
+    for (const EncodedWord& word : encode_default(scene, {}, 03456).words) expected.push_back(word.value);
     EXPECT_EQ(assemble(tape, 03456), expected) << name;
   }
 }
@@ -249,7 +249,7 @@ TEST(WriteTape, EqualsTheTapesOfTheFirmware) {
       EXPECT_TRUE(tests::write_whole(path, tape)) << path;
     }
     const std::string approved = tests::read_whole(path);
-    EXPECT_TRUE(tape == approved) << path << ": " << tests::where_they_part(approved, tape)
+    EXPECT_TRUE(tape == approved) << path << ": " << tests::first_difference(approved, tape)
                                   << "\n  SIGHTLINE_APPROVE=1 writes the new tape, if the change is intended";
   }
 }

@@ -20,7 +20,7 @@ namespace {
 
 class JonesGuest : public testing::TestWithParam<std::tuple<const char*, bool>> {
  protected:
-  JonesGuest() : program(assembled(scene(), eae())), run(outcome_of(program)) {}
+  JonesGuest() : program(assemble_jones(scene(), eae())), run(outcome_of(program)) {}
   static std::string scene() { return std::get<0>(GetParam()); }
   static bool eae() { return std::get<1>(GetParam()); }
 
@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, JonesGuest,
 TEST(JonesGuestCells, InvisibleRoomsAreNeverEntered) {
   Outcome runs[2];
   for (int i = 0; i < 2; ++i) {
-    runs[i] = outcome_of(assembled(i == 0 ? "corridor8" : "corridor32", true));
+    runs[i] = outcome_of(assemble_jones(i == 0 ? "corridor8" : "corridor32", true));
     ASSERT_EQ(runs[i].views.size(), 2U);
     EXPECT_EQ(runs[i].views[1].distinct_cells, 5U);
   }
@@ -117,7 +117,7 @@ TEST(JonesGuestCells, InvisibleRoomsAreNeverEntered) {
 
 // For any contents of core at power-on.
 TEST(JonesGuestCore, TheInitialContentsOfCoreHaveNoEffect) {
-  const Program program = assembled("roberts", true);
+  const Program program = assemble_jones("roberts", true);
   const TwinView expected = twin_view(program);
   core::Duration times[2]{};
   for (std::uint64_t fill = 0; fill < 2; ++fill) {
@@ -151,7 +151,7 @@ TEST(JonesGuestStereo, EachEyeStaysInItsHalf) {
   Order order;
   order.stereo = true;
   for (const char* scene : scene_names) {
-    const Outcome run = outcome_of(assembled(scene, true), order);
+    const Outcome run = outcome_of(assemble_jones(scene, true), order);
     ASSERT_EQ(run.views.size(), 2U);
     int halves[2] = {0, 0};
     for (const ScreenSegment& piece : pieces_of(run.views[1])) {
@@ -170,7 +170,7 @@ TEST(JonesGuestStereo, FarPointsAreEqualInBothHalves) {
                {{{2020, 210, 100}, {2020, 240, 100}}, {{3000, 0, 16000}, {3000, 400, 16000}}});
   Order order;
   order.stereo = true;
-  const Outcome run = outcome_of(assembled(scene, true), order);
+  const Outcome run = outcome_of(assemble_jones(scene, true), order);
   ASSERT_EQ(run.views.size(), 2U);
   std::vector<ScreenSegment> left, right;
   for (const ScreenSegment& piece : pieces_of(run.views[1]))

@@ -72,7 +72,7 @@ class JonesRandomViews : public testing::TestWithParam<std::tuple<std::string, b
 };
 
 TEST_P(JonesRandomViews, GuestAndTwinAgree) {
-  Program program = assembled(scene(), eae());
+  Program program = assemble_jones(scene(), eae());
   const std::size_t cells = program.scene.cell_addresses.size();
   // The same views with the EAE and without.
   Dice dice(1971);

@@ -79,7 +79,7 @@ scene::HeightGrid grid_of(const Heights& rows) {
   return grid;
 }
 
-Heights filled(std::size_t slices, std::size_t points, double (*value)(int slice, int point)) {
+Heights fill_heights(std::size_t slices, std::size_t points, double (*value)(int slice, int point)) {
   Heights rows(slices, std::vector<double>(points));
   for (std::size_t j = 0; j < slices; ++j)
     for (std::size_t i = 0; i < points; ++i) rows[j][i] = value(static_cast<int>(j), static_cast<int>(i));
@@ -93,28 +93,28 @@ struct HardCase {
 
 std::vector<HardCase> hard_cases() {
   return {
-      {"nearly_horizontal", filled(2, 2, [](int j, int i) { return j == 0 ? i / 255.0 : 1.0; })},
-      {"equal_heights", filled(9, 9, [](int, int) { return 3.0; })},
-      {"coincident_slices", filled(9, 9, [](int, int i) { return static_cast<double>(i % 3); })},
-      {"steep_lines", filled(4, 40, [](int j, int i) { return static_cast<double>((i + j) % 2); })},
-      {"spike", filled(11, 11, [](int j, int i) { return j == 5 && i == 5 ? 1.0 : 0.0; })},
-      {"pit", filled(11, 11, [](int j, int i) { return j == 5 && i == 5 ? -1.0 : 0.0; })},
-      {"cliff", filled(11, 11, [](int j, int i) { return i < 5 || j < 3 ? 1.0 : 0.0; })},
-      {"peak_at_a_joint", filled(7, 3, [](int j, int i) { return i == 1 ? 1.0 + j : 0.0; })},
-      {"falls_then_rises", filled(7, 5, [](int j, int i) { return std::abs(i - 2) * (1.0 + j % 2); })},
-      {"single_slice", filled(1, 20, [](int, int i) { return std::sin(i); })},
-      {"single_point", filled(1, 1, [](int, int) { return 1.0; })},
-      {"single_column", filled(20, 1, [](int j, int) { return std::cos(j); })},
-      {"two_by_two", filled(2, 2, [](int j, int i) { return static_cast<double>(i * j); })},
-      {"saddle_cell", filled(2, 2, [](int j, int i) { return static_cast<double>((i + j) % 2); })},
-      {"plateau", filled(9, 9, [](int j, int i) { return j > 2 && j < 6 && i > 2 && i < 6 ? 1.0 : 0.0; })},
-      {"levels_on_vertices", filled(9, 9, [](int j, int i) { return static_cast<double>((i + j) % 9); })},
+      {"nearly_horizontal", fill_heights(2, 2, [](int j, int i) { return j == 0 ? i / 255.0 : 1.0; })},
+      {"equal_heights", fill_heights(9, 9, [](int, int) { return 3.0; })},
+      {"coincident_slices", fill_heights(9, 9, [](int, int i) { return static_cast<double>(i % 3); })},
+      {"steep_lines", fill_heights(4, 40, [](int j, int i) { return static_cast<double>((i + j) % 2); })},
+      {"spike", fill_heights(11, 11, [](int j, int i) { return j == 5 && i == 5 ? 1.0 : 0.0; })},
+      {"pit", fill_heights(11, 11, [](int j, int i) { return j == 5 && i == 5 ? -1.0 : 0.0; })},
+      {"cliff", fill_heights(11, 11, [](int j, int i) { return i < 5 || j < 3 ? 1.0 : 0.0; })},
+      {"peak_at_a_joint", fill_heights(7, 3, [](int j, int i) { return i == 1 ? 1.0 + j : 0.0; })},
+      {"falls_then_rises", fill_heights(7, 5, [](int j, int i) { return std::abs(i - 2) * (1.0 + j % 2); })},
+      {"single_slice", fill_heights(1, 20, [](int, int i) { return std::sin(i); })},
+      {"single_point", fill_heights(1, 1, [](int, int) { return 1.0; })},
+      {"single_column", fill_heights(20, 1, [](int j, int) { return std::cos(j); })},
+      {"two_by_two", fill_heights(2, 2, [](int j, int i) { return static_cast<double>(i * j); })},
+      {"saddle_cell", fill_heights(2, 2, [](int j, int i) { return static_cast<double>((i + j) % 2); })},
+      {"plateau", fill_heights(9, 9, [](int j, int i) { return j > 2 && j < 6 && i > 2 && i < 6 ? 1.0 : 0.0; })},
+      {"levels_on_vertices", fill_heights(9, 9, [](int j, int i) { return static_cast<double>((i + j) % 9); })},
       {"loop_in_one_cell",
-       filled(4, 4, [](int j, int i) { return (j == 1 || j == 2) && (i == 1 || i == 2) ? 1.0 : 0; })},
+       fill_heights(4, 4, [](int j, int i) { return (j == 1 || j == 2) && (i == 1 || i == 2) ? 1.0 : 0; })},
       {"hole",
-       filled(9, 9, [](int j, int i) { return j == 4 && i > 2 && i < 6 ? nan : std::sin(i) * std::cos(j); })},
-      {"lone_points", filled(5, 5, [](int j, int i) { return (i + j) % 2 == 0 ? nan : 1.0 * i * j; })},
-      {"away_from_the_eye", filled(12, 12, [](int j, int) { return -3.0 * j; })},
+       fill_heights(9, 9, [](int j, int i) { return j == 4 && i > 2 && i < 6 ? nan : std::sin(i) * std::cos(j); })},
+      {"lone_points", fill_heights(5, 5, [](int j, int i) { return (i + j) % 2 == 0 ? nan : 1.0 * i * j; })},
+      {"away_from_the_eye", fill_heights(12, 12, [](int j, int) { return -3.0 * j; })},
   };
 }
 

@@ -126,7 +126,7 @@ TEST(SkalaProjection, ZoomEnlargesAboutTheMiddle) {
 TEST(SkalaProjection, TurningTheDataAndTheEyeTogetherChangesNothing) {
   for (const char* name : {"peaks", "terrain", "rosen"}) {
     const scene::HeightGrid grid = named(name, {11, 8});
-    const scene::HeightGrid turned = stream_test::turned(grid);
+    const scene::HeightGrid turned = stream_test::rotate_grid(grid);
     for (int rotation = -180; rotation <= 360; rotation += 5) {
       const Projection one(grid, {.rotation = 1.0 * rotation});
       const Projection other(turned, {.rotation = rotation - 90.0});

@@ -119,7 +119,7 @@ inline scene::HeightGrid grid_of(const std::vector<std::vector<double>>& rows) {
 }
 
 // The same surface turned: x of the new one is z of the old one, z is -x.
-inline scene::HeightGrid turned(const scene::HeightGrid& grid) {
+inline scene::HeightGrid rotate_grid(const scene::HeightGrid& grid) {
   scene::HeightGrid result = grid;
   result.x = grid.z;
   result.z.clear();

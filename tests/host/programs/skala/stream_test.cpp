@@ -241,7 +241,7 @@ bool same_dots(const Bytes& one, const Bytes& two) {
 
 TEST(SkalaStream, TurningTheDataAndTheEyeTogetherGivesTheSameBytes) {
   const scene::HeightGrid grid = named("peaks", {11, 9});
-  const scene::HeightGrid turned = stream_test::turned(grid);
+  const scene::HeightGrid turned = stream_test::rotate_grid(grid);
   for (int turn = 0; turn < 24; ++turn) {
     View view{.family = Family::along_x, .rotation = 15.0 * turn};
     View other{.family = Family::along_z, .rotation = 15.0 * turn - 90};

@@ -35,7 +35,7 @@ TEST(TurnCost, ModelPredictsEveryPicture) {
   ASSERT_EQ(table.size(), 12U);
   for (const std::string& name : {cube, block, crossed, lshape, star, std::string("roberts"), std::string("boxes-8"), grid}) {
     const bool large = name == grid;
-    const Tape& tape = turned(name, large ? Memory::words_32k : Memory::words_8k, !large).tape;
+    const Tape& tape = turned_model(name, large ? Memory::words_32k : Memory::words_8k, !large).tape;
     const Program both[] = {assemble_program(true, tape.memory), assemble_program(false, tape.memory)};
     for (const std::uint32_t wire : {0U, wire_switch}) {
       for (unsigned without = 0; without < 2; ++without) {

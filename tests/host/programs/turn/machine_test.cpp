@@ -29,7 +29,7 @@ PicturesOrder at_speed(std::uint32_t switches, std::uint32_t pictures) {
 std::string fault_of(const base::Result<Pictures>& run) { return run ? "" : run.error().message(); }
 
 void expect_twins(const std::string& name, Memory memory, bool tilted) {
-  const TurnedModel& model = turned(name, memory, tilted);
+  const TurnedModel& model = turned_model(name, memory, tilted);
   for (const bool eae : {true, false}) {
     const Program program = assemble_program(eae, memory);
     for (const std::uint32_t direction : {0U, backward_switch}) {
@@ -61,7 +61,7 @@ TEST(TurnGuest, EqualsItsTwinForAnySwitches) {
   const std::vector<std::string> names{block, crossed, lshape, star, "boxes-8"};
   for (unsigned n = 0; n < sequences; ++n) {
     const std::string& name = names[n % names.size()];
-    const Tape& tape = turned(name).tape;
+    const Tape& tape = turned_model(name).tape;
     std::vector<std::uint32_t> script;
     for (int k = 0; k < 30; ++k) {
       std::uint32_t switches = static_cast<std::uint32_t>(dice(0, 3) == 0 ? dice(1, 3) : dice(1, 32767));
@@ -80,7 +80,7 @@ TEST(TurnGuest, EqualsItsTwinForAnySwitches) {
 }
 
 TEST(TurnGuest, StopsWhenTheSpeedIsZero) {
-  const Tape& tape = turned(cube).tape;
+  const Tape& tape = turned_model(cube).tape;
   Machine machine(assemble_program(true, tape.memory), tape);
   Picture picture;
   ASSERT_TRUE(machine.next(0, picture));
@@ -92,7 +92,7 @@ TEST(TurnGuest, StopsWhenTheSpeedIsZero) {
 
 // Positions depend only on the angle: after a thousand turns the picture is the same.
 TEST(TurnGuest, DoesNotDrift) {
-  const Tape& tape = turned(block).tape;
+  const Tape& tape = turned_model(block).tape;
   constexpr std::uint32_t step = 1U << 14U;
   const std::uint32_t count = 16U * (turns() > 1 ? 1000U : tests::effort(40U, 3U));
   Machine machine(assemble_program(true, tape.memory), tape);
@@ -108,7 +108,7 @@ TEST(TurnGuest, DoesNotDrift) {
 // The tape in the reader gives the same picture as its words in core.
 TEST(TurnGuest, ReadsItsTape) {
   for (const Memory memory : {Memory::words_8k, Memory::words_32k}) {
-    const Tape& tape = turned(cube, memory).tape;
+    const Tape& tape = turned_model(cube, memory).tape;
     Machine machine(assemble_program(true, memory), punch(tape));
     Picture picture;
     ASSERT_TRUE(machine.next(0, picture, core::seconds(20)));
@@ -120,7 +120,7 @@ TEST(TurnGuest, ReadsItsTape) {
 }
 
 TEST(TurnGuest, RejectsADamagedTape) {
-  const Tape& tape = turned(cube).tape;
+  const Tape& tape = turned_model(cube).tape;
   const Program program = assemble_program(true, tape.memory);
   const base::Bytes whole = punch(tape);
   Picture picture;
@@ -150,14 +150,14 @@ TEST(TurnGuest, RejectsADamagedTape) {
     EXPECT_EQ(machine.status(), Status::other_tape);
   }
   {
-    Machine machine(program, punch(turned(cube, Memory::words_32k).tape));
+    Machine machine(program, punch(turned_model(cube, Memory::words_32k).tape));
     EXPECT_FALSE(machine.next(0, picture, core::seconds(20)));
     EXPECT_EQ(machine.status(), Status::other_tape);
   }
 }
 
 TEST(TurnGuest, ShowsThePartThatFitsAFullDisplayFile) {
-  Tape tape = turned(star).tape;
+  Tape tape = turned_model(star).tape;
   constexpr std::uint32_t header_file_words = 11;
   tape.words[header_file_words] = core::Word18(60);
   for (const bool eae : {true, false}) {
@@ -176,7 +176,7 @@ TEST(TurnGuest, ShowsThePartThatFitsAFullDisplayFile) {
 
 // Files of all sizes from too small for one line: some pictures of a turn fit and some do not, and each has its own status.
 TEST(TurnGuest, HasAStatusForEachPicture) {
-  const Tape whole = turned(block).tape;
+  const Tape whole = turned_model(block).tape;
   bool mixed = false;
   for (std::uint32_t size = 20; size < whole.file_words; size += tests::effort(3U, 16U)) {
     Tape tape = whole;
@@ -191,13 +191,13 @@ TEST(TurnGuest, HasAStatusForEachPicture) {
 
 // Two display files instead of three: the same pictures, later.
 TEST(TurnGuest, WorksWithTwoDisplayFiles) {
-  Tape tape = turned(block).tape;
+  Tape tape = turned_model(block).tape;
   constexpr std::uint32_t header_files = 12;
   tape.words[header_files] = core::Word18(2);
   const Program program = assemble_program(true, tape.memory);
   const auto two = run_pictures(program, tape, at_speed(700, 100));
   ASSERT_EQ(fault_of(two), "");
-  const auto three = run_pictures(program, turned(block).tape, at_speed(700, 100));
+  const auto three = run_pictures(program, turned_model(block).tape, at_speed(700, 100));
   ASSERT_EQ(fault_of(three), "");
   EXPECT_LT(two->summary.frames_per_second_mean, three->summary.frames_per_second_mean);
 }
@@ -213,7 +213,7 @@ TEST(TurnGuest, IsFastEnough) {
   };
   for (const Goal& goal : {Goal{block, true, 40, 1.0}, Goal{block, false, 20, 0}, Goal{"roberts", true, 40, 1.0},
                            Goal{"roberts", false, 20, 0}, Goal{star, true, 20, 1.6}, Goal{star, false, 8, 0}}) {
-    const Tape& tape = turned(goal.name).tape;
+    const Tape& tape = turned_model(goal.name).tape;
     const Program program = assemble_program(goal.eae, tape.memory);
     const std::uint32_t step = *step_for(program, tape, 8, false);
     const auto hidden = run_pictures(program, tape, at_speed(step, pictures_of_turn(step)))->summary;

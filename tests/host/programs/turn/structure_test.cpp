@@ -65,7 +65,7 @@ std::optional<plantinga::Sight> sight_of_word(const plantinga::EventList& list, 
 }
 
 // The state of every slot by hidden-line removal from scratch.
-std::vector<std::uint32_t> states_from_nothing(const TurnedModel& of, const plantinga::Sight& sight,
+std::vector<std::uint32_t> states_from_scratch(const TurnedModel& of, const plantinga::Sight& sight,
                                                const std::vector<std::vector<plantinga::Occluder>>& occluders) {
   std::vector<plantinga::EdgeStructure> structures;
   for (plantinga::EdgeIndex e = 0; e < of.model.edges().size(); ++e)
@@ -91,7 +91,7 @@ std::vector<std::uint32_t> states_from_nothing(const TurnedModel& of, const plan
 
 TEST(TurnStructure, EqualsThatFromScratchAtTheMachinesAngle) {
   for (const std::string& name : {cube, block, crossed, lshape, star}) {
-    const TurnedModel& of = turned(name);
+    const TurnedModel& of = turned_model(name);
     std::vector<std::vector<plantinga::Occluder>> occluders;
     for (plantinga::EdgeIndex e = 0; e < of.model.edges().size(); ++e) occluders.push_back(of.model.occluders_of(e));
     const Program program = assemble_program(true, of.tape.memory);
@@ -106,7 +106,7 @@ TEST(TurnStructure, EqualsThatFromScratchAtTheMachinesAngle) {
         const auto sight = sight_of_word(of.list, shown.angle);
         if (!sight) continue;
         ++compared;
-        const auto expected = states_from_nothing(of, *sight, occluders);
+        const auto expected = states_from_scratch(of, *sight, occluders);
         for (std::uint32_t s = 0; s < expected.size(); ++s)
           ASSERT_EQ(machine.peek(slots + 4 * s).value(), expected[s]) << name << " angle " << shown.angle << " slot " << s;
       }
@@ -119,7 +119,7 @@ TEST(TurnStructure, EqualsThatFromScratchAtTheMachinesAngle) {
 // Every event takes effect at the first word that is not before it.
 TEST(TurnStructure, EventsAreAtTheirWordsExactly) {
   for (const std::string& name : {cube, block, crossed, lshape, star, std::string("boxes-8")}) {
-    const TurnedModel& of = turned(name);
+    const TurnedModel& of = turned_model(name);
     for (const plantinga::Event& event : of.list.events) {
       const std::uint32_t word = event_word(event.direction);
       ASSERT_GE(word_to_direction(word, event.direction), 0) << name << " word " << word;
@@ -134,7 +134,7 @@ TEST(TurnStructure, EventsAreAtTheirWordsExactly) {
 // An independent algorithm on this computer: the visible parts of every edge.
 TEST(TurnStructure, IsThePictureOfTheExactAlgorithm) {
   for (const std::string& name : {block, crossed, lshape, star}) {
-    const TurnedModel& of = turned(name);
+    const TurnedModel& of = turned_model(name);
     Twin twin(of.tape.words, model_base(of.tape.memory));
     plantinga::FrameMaker frames(of.model);
     TwinPicture picture;
@@ -208,7 +208,7 @@ Points corners_of(const std::vector<core::Word18>& file) {
 // words explain for this end.
 TEST(TurnStructure, EndsAreWithinThePrecisionOfTheWords) {
   for (const std::string& name : {cube, block, crossed, lshape, star}) {
-    const TurnedModel& of = turned(name);
+    const TurnedModel& of = turned_model(name);
     Twin twin(of.tape.words, model_base(of.tape.memory));
     plantinga::FrameMaker frames(of.model);
     const Precision precision(of.tape);
@@ -330,7 +330,7 @@ std::vector<bool> raster_of(const std::vector<core::Word18>& file) {
 }
 
 // The number of lit points of one picture that are farther than `reach` from every lit point of the other.
-int strangers(const std::vector<bool>& one, const std::vector<bool>& other, int reach) {
+int count_far_points(const std::vector<bool>& one, const std::vector<bool>& other, int reach) {
   int count = 0;
   for (int y = 0; y < 1024; ++y)
     for (int x = 0; x < 1024; ++x) {
@@ -350,7 +350,7 @@ int strangers(const std::vector<bool>& one, const std::vector<bool>& other, int 
 TEST(TurnStructure, NothingFlickersAtEvents) {
   NEEDS_OPTIMISED_CODE();
   for (const std::string& name : {block, star}) {
-    const TurnedModel& of = turned(name);
+    const TurnedModel& of = turned_model(name);
     Twin twin(of.tape.words, model_base(of.tape.memory));
     constexpr std::uint32_t step = 82;  // 0.99 points at the rim
     constexpr int reach = 4;
@@ -363,8 +363,8 @@ TEST(TurnStructure, NothingFlickersAtEvents) {
       ASSERT_TRUE(twin.next(step, picture));
       events += static_cast<int>(picture.events);
       std::vector<bool> now = raster_of(picture.display_file);
-      EXPECT_EQ(strangers(now, before, reach), 0) << name << " angle " << picture.angle;
-      EXPECT_EQ(strangers(before, now, reach), 0) << name << " angle " << picture.angle;
+      EXPECT_EQ(count_far_points(now, before, reach), 0) << name << " angle " << picture.angle;
+      EXPECT_EQ(count_far_points(before, now, reach), 0) << name << " angle " << picture.angle;
       before = std::move(now);
     }
     if (name == star) {

@@ -32,7 +32,7 @@ TEST(TurnTape, EventsAreRoundedUpAndExactOnesAreNot) {
 }
 
 TEST(TurnTape, SumOfAllWordsIsZero) {
-  const Tape& tape = turned(star).tape;
+  const Tape& tape = turned_model(star).tape;
   core::Word18 sum(static_cast<std::uint32_t>(tape.words.size()));
   for (const core::Word18 word : tape.words) sum = sum + word;
   EXPECT_EQ(sum + checksum(tape.words), core::Word18(0));
@@ -41,15 +41,15 @@ TEST(TurnTape, SumOfAllWordsIsZero) {
 
 TEST(TurnTape, LayoutAddsUp) {
   for (const std::string& name : {cube, block, crossed, lshape, star}) {
-    const TurnedModel& model = turned(name);
+    const TurnedModel& model = turned_model(name);
     const Tape& tape = model.tape;
     EXPECT_EQ(tape.layout.model(), tape.words.size()) << name;
     EXPECT_EQ(tape.edges, model.model.edges().size()) << name;
     EXPECT_EQ(tape.layout.events, tape.events + tape.changes) << name;
     EXPECT_LE(model_base(Memory::words_8k) + tape.words.size() + 1 + tape.files * tape.file_words, 8192U) << name;
   }
-  EXPECT_EQ(turned(star).tape.edges, 100U);
-  EXPECT_EQ(turned(block).tape.edges, 24U);
+  EXPECT_EQ(turned_model(star).tape.edges, 100U);
+  EXPECT_EQ(turned_model(block).tape.edges, 24U);
 }
 
 // The bytes of a tape decoded independently, from section 2 of the specification alone: what its words say of every vertex, edge
@@ -57,7 +57,7 @@ TEST(TurnTape, LayoutAddsUp) {
 // T-junction must be their position on the screen, by plain geometry in doubles.
 TEST(TurnTape, PunchedWordsGiveThePositions) {
   for (const std::string& name : {block, crossed, lshape, star, std::string("boxes-8")}) {
-    const TurnedModel& of = turned(name);
+    const TurnedModel& of = turned_model(name);
     const base::Bytes bytes = punch(of.tape);
     std::vector<std::uint32_t> words;
     for (std::size_t i = 0; i + 2 < bytes.size(); i += 3) {
@@ -157,7 +157,7 @@ TEST(TurnTape, PunchedWordsGiveThePositions) {
 // The exclusive or of all changes of a turn leaves every state unchanged.
 TEST(TurnTape, AWholeTurnOfChangesCancels) {
   for (const std::string& name : {cube, block, crossed, lshape, star}) {
-    const Tape& tape = turned(name).tape;
+    const Tape& tape = turned_model(name).tape;
     const std::uint32_t base = model_base(tape.memory);
     std::map<std::uint32_t, std::uint32_t> sums;
     for (std::uint32_t at = tape.words[7].value() - base; at < tape.words[8].value() - base;) {
@@ -193,7 +193,7 @@ TEST(TurnTape, RejectsModelsThatTiltingMakesTooLarge) {
 }
 
 TEST(TurnTape, TiltedEdgesKeepTheirLengthsAndAngles) {
-  const scene::PolyScene& standing = turned(cube).scene;
+  const scene::PolyScene& standing = turned_model(cube).scene;
   const scene::PolyScene given = scene_named(cube);
   for (std::size_t i = 0; i < 8; ++i)
     for (std::size_t j = 0; j < 8; ++j) {

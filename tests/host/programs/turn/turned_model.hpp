@@ -30,7 +30,7 @@ inline scene::PolyScene scene_named(const std::string& name) {
   return scene::load_scene({name, text.str()})->scene;
 }
 
-inline const TurnedModel& turned(const std::string& name, Memory memory = Memory::words_8k, bool tilted = true) {
+inline const TurnedModel& turned_model(const std::string& name, Memory memory = Memory::words_8k, bool tilted = true) {
   static std::map<std::string, std::unique_ptr<TurnedModel>> models;
   auto& slot = models[name + (memory == Memory::words_8k ? " 8" : " 32") + (tilted ? " tilted" : "")];
   if (!slot) {

@@ -35,7 +35,7 @@ PolyScene model(const std::string& name) {
 // Overlapping and nested solids, one with a cavity, and a sheet with a window across them and next to them: everything that a
 // checked
 // scene may contain.
-PolyScene tangled() {
+PolyScene tangled_solids() {
   PolyBuilder builder;
   builder.add_box("first", {0, 0, 0}, {4000, 3000, 2000});
   builder.add_box("across", {1000, -1000, 500}, {3000, 5000, 1500});
@@ -61,7 +61,7 @@ PolyScene tangled() {
 }
 
 // Triangles through each other at the coordinate limit: the planes with the largest coefficients, and corners far from integers.
-PolyScene crossed() {
+PolyScene crossed_triangles() {
   std::mt19937 random(11);
   std::uniform_int_distribution<std::int32_t> coordinate(2 - poly_coordinate_limit,
                                                          poly_coordinate_limit - 2);
@@ -76,7 +76,7 @@ PolyScene crossed() {
 }
 
 // Enlarges small scenes, for tests that need points in general position.
-PolyScene enlarged(PolyScene scene, std::int32_t factor) {
+PolyScene enlarge(PolyScene scene, std::int32_t factor) {
   for (PolyPoint& p : scene.vertices)
     for (std::int32_t& c : p) c *= factor;
   return scene;
@@ -84,20 +84,20 @@ PolyScene enlarged(PolyScene scene, std::int32_t factor) {
 
 // Small enough to test every cell; half of the touching cubes are removed, so that lines can pass.
 PolyScene scene_named(const std::string& name) {
-  if (name == "tangled") return tangled();
-  if (name == "crossed") return crossed();
+  if (name == "tangled") return tangled_solids();
+  if (name == "crossed") return crossed_triangles();
   if (name.ends_with(".off")) return model(name);
   const std::size_t colon = name.find(':');
   const std::string family = name.substr(0, colon);
   PolyScene scene = *generate_scene(family, std::stoul(name.substr(colon + 1)), 5);
   if (family == "touch")
     std::erase_if(scene.bodies, [n = 0](const PolyBody&) mutable { return n++ * 5 % 13 < 6; });
-  return family == "bricks" ? enlarged(std::move(scene), 1000) : scene;
+  return family == "bricks" ? enlarge(std::move(scene), 1000) : scene;
 }
 
 TEST(DecomposeBsp, IsTestedOnValidScenes) {
-  EXPECT_TRUE(check_poly_scene(tangled()).empty());
-  EXPECT_TRUE(check_poly_scene(crossed()).empty());
+  EXPECT_TRUE(check_poly_scene(tangled_solids()).empty());
+  EXPECT_TRUE(check_poly_scene(crossed_triangles()).empty());
 }
 
 class DecomposeBspTest : public testing::TestWithParam<const char*> {

@@ -16,14 +16,14 @@ namespace {
 
 using nlohmann::json;
 
-std::string written(const PolyScene& scene, const Decomposition& decomposition) {
+std::string write_file_text(const PolyScene& scene, const Decomposition& decomposition) {
   std::string text;
   write_cell_complex(scene, decomposition, [&](std::string_view piece) { text += piece; });
   return text;
 }
 
 std::string file_of(const PolyScene& scene, DecompositionMethod method = DecompositionMethod::automatic) {
-  return written(scene, *decomposition_of(scene, method));
+  return write_file_text(scene, *decomposition_of(scene, method));
 }
 
 std::string error_of(const std::string& text) {
@@ -42,7 +42,7 @@ TEST(CellComplexFile, AWrittenFileIsReadAgain) {
     const auto read = read_cell_complex(text, "c.json");
     ASSERT_TRUE(read) << error_of(text);
     EXPECT_EQ(read->scene, scene);
-    EXPECT_EQ(written(read->scene, read->decomposition), text);
+    EXPECT_EQ(write_file_text(read->scene, read->decomposition), text);
   }
   EXPECT_NE(file_of(scenes[0], DecompositionMethod::bsp), file_of(scenes[0], DecompositionMethod::grid));
 }

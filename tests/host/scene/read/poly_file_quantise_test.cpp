@@ -21,7 +21,7 @@ TEST(Quantise, DecimalFractionsLoseNothing) {
   EXPECT_EQ(import.report.faces.split_faces, 0U);
   EXPECT_EQ(import.scene.vertices[0], (PolyPoint{250, 0, 0}));
   EXPECT_EQ(import.scene.vertices[3], (PolyPoint{-300, 1000, 0}));
-  EXPECT_EQ(written(import.scene, PolyFormat::off),
+  EXPECT_EQ(scene_text(import.scene, PolyFormat::off),
             "OFF\n4 1 0\n0.25 0 0\n1 0.001 0\n1 1 0\n-0.3 1 0\n4 0 1 2 3\n");
 }
 
@@ -30,7 +30,7 @@ TEST(Quantise, AStepOfAnySizeIsMultiplied) {
   const std::string end = ",\"vertices\":[[0,0,0],[10,0,0],[0,-3,0]],\"bodies\":[{\"faces\":[[0,1,2]]}]}";
   const auto after_origin = [&](const std::string& step) {
     const std::string text =
-        written(read("{\"step\":" + step + end, PolyFormat::json).scene, PolyFormat::off);
+        scene_text(read("{\"step\":" + step + end, PolyFormat::json).scene, PolyFormat::off);
     return text.substr(16, text.find("3 0 1 2") - 16);
   };
   EXPECT_EQ(after_origin("0.75"), "7.5 0 0\n0 -2.25 0\n");
@@ -73,8 +73,8 @@ TEST(Quantise, DecimalFractionsFarAwayLoseNothing) {
   EXPECT_EQ(import.report.largest_shift, 0.0);
   EXPECT_EQ(import.scene.origin, (PolyOrigin{500123436000, 5412345689061, 310250500}));  // the middle, rounded down
   EXPECT_EQ(import.scene.vertices[0], (PolyPoint{60000, -10938, 0}));
-  EXPECT_EQ(written(import.scene, PolyFormat::off), text);
-  const PolyImport again = read(written(import.scene, PolyFormat::json), PolyFormat::json);
+  EXPECT_EQ(scene_text(import.scene, PolyFormat::off), text);
+  const PolyImport again = read(scene_text(import.scene, PolyFormat::json), PolyFormat::json);
   EXPECT_EQ(again.scene, import.scene);
 }
 

@@ -18,14 +18,14 @@ namespace {
 TEST(WritePoly, AWrittenSceneIsReadBackUnchanged) {
   for (const std::string_view family : generator_names()) {
     const auto scene = *generate_scene(family, 3, 5);
-    EXPECT_EQ(read(written(scene, PolyFormat::json), PolyFormat::json).scene, scene) << family;
+    EXPECT_EQ(read(scene_text(scene, PolyFormat::json), PolyFormat::json).scene, scene) << family;
     if (family == "rooms" || family == "big_rooms") continue;  // holes
-    PolyScene obj = read(written(scene, PolyFormat::obj), PolyFormat::obj).scene;
+    PolyScene obj = read(scene_text(scene, PolyFormat::obj), PolyFormat::obj).scene;
     EXPECT_EQ(obj.vertices, scene.vertices) << family;
     EXPECT_EQ(obj.bodies, scene.bodies) << family;
     // OFF has no bodies: touching parts become one body, others are separate.
     if (family == "touch" || family == "bricks" || family == "corridors") continue;
-    PolyScene off = read(written(scene, PolyFormat::off), PolyFormat::off).scene;
+    PolyScene off = read(scene_text(scene, PolyFormat::off), PolyFormat::off).scene;
     EXPECT_EQ(off.vertices, scene.vertices) << family;
     ASSERT_EQ(off.bodies.size(), scene.bodies.size()) << family;
     for (std::size_t b = 0; b < off.bodies.size(); ++b) EXPECT_EQ(off.bodies[b].faces, scene.bodies[b].faces);
@@ -40,8 +40,8 @@ TEST(WritePoly, WiresAreKeptByObjAndJsonAndRejectedByTheOthers) {
   scene.surface_of = {0};
   scene.wires_on = {{1, 0}};
   ASSERT_EQ(problems(scene), "");
-  EXPECT_EQ(read(written(scene, PolyFormat::json), PolyFormat::json).scene, scene);
-  EXPECT_EQ(read(written(scene, PolyFormat::obj), PolyFormat::obj).scene.wires, scene.wires);
+  EXPECT_EQ(read(scene_text(scene, PolyFormat::json), PolyFormat::json).scene, scene);
+  EXPECT_EQ(read(scene_text(scene, PolyFormat::obj), PolyFormat::obj).scene.wires, scene.wires);
   for (const PolyFormat format : {PolyFormat::off, PolyFormat::stl, PolyFormat::ply}) {
     const auto text = write_poly(scene, format);
     ASSERT_FALSE(text);
@@ -57,7 +57,7 @@ TEST(WritePoly, WiresAreKeptByObjAndJsonAndRejectedByTheOthers) {
 // A wall with a hatch as triangles: its area is unchanged, and only edges of its outline and hole belong to a single triangle.
 TEST(WritePoly, FacesWithHolesBecomeTriangles) {
   const PolyScene scene = generate_rooms(3);
-  const PolyScene off = read(written(scene, PolyFormat::off), PolyFormat::off).scene;
+  const PolyScene off = read(scene_text(scene, PolyFormat::off), PolyFormat::off).scene;
   EXPECT_EQ(problems(off), "");
   EXPECT_EQ(off.vertices, scene.vertices);
   const auto area = [](const PolyScene& s) {
@@ -106,7 +106,7 @@ TEST(WritePoly, ObjKeepsBodiesApart) {
   PolyScene scene = generate_boxes(6);
   const char* names[] = {"", "a  b", " a b ", "#1", "ends in \\", "body 0"};
   for (std::size_t b = 0; b < 6; ++b) scene.bodies[b].name = names[b];
-  const PolyScene again = read(written(scene, PolyFormat::obj), PolyFormat::obj).scene;
+  const PolyScene again = read(scene_text(scene, PolyFormat::obj), PolyFormat::obj).scene;
   ASSERT_EQ(again.bodies.size(), 6U);
   const char* written_names[] = {"body 0", "a b", "body 2", "_1", "ends in _", "body 5"};
   for (std::size_t b = 0; b < 6; ++b) {
@@ -119,7 +119,7 @@ TEST(WritePoly, ObjKeepsBodiesApart) {
 TEST(WritePoly, ACavitySurvivesOff) {
   const PolyScene scene = hollow_box();
   for (const bool mend : {false, true}) {
-    const PolyImport again = read(written(scene, PolyFormat::off), PolyFormat::off, mend);
+    const PolyImport again = read(scene_text(scene, PolyFormat::off), PolyFormat::off, mend);
     EXPECT_EQ(problems(again.scene), "");
     ASSERT_EQ(again.scene.bodies.size(), 1U);
     EXPECT_EQ(again.scene.bodies[0].faces, scene.bodies[0].faces);

@@ -31,7 +31,7 @@ const std::vector<std::array<double, 3>> cube_corners{{0, 0, 0}, {8, 0, 0}, {8, 
 // Counterclockwise from outside.
 const Faces cube_faces{{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
 
-PolyImport mended(PolyMesh mesh, double weld = 0) {
+PolyImport mend_mesh(PolyMesh mesh, double weld = 0) {
   auto result = import_poly(std::move(mesh), {.mend = true, .weld = weld});
   EXPECT_TRUE(result) << result.error().message();
   if (!result) return {};
@@ -39,7 +39,7 @@ PolyImport mended(PolyMesh mesh, double weld = 0) {
   return std::move(*result);
 }
 
-std::vector<std::array<double, 3>> moved(std::vector<std::array<double, 3>> points, double scale, double shift) {
+std::vector<std::array<double, 3>> translate(std::vector<std::array<double, 3>> points, double scale, double shift) {
   for (auto& point : points)
     for (double& c : point) c = scale * c + shift;
   return points;
@@ -49,7 +49,7 @@ std::vector<std::array<double, 3>> moved(std::vector<std::array<double, 3>> poin
 TEST(PolyMend, WiresFollowTheirVertices) {
   PolyMesh mesh = mesh_of({{9, 9, 9}, {0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 1, 0}, {20, 20, 20}}, {{1, 2, 3}});
   mesh.wires = {{5, 1}, {4, 5}, {4, 1}, {2, 1}};
-  const PolyImport import = mended(mesh, 1);
+  const PolyImport import = mend_mesh(mesh, 1);
   EXPECT_EQ(import.scene.vertices, (std::vector<PolyPoint>{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {20, 20, 20}}));
   EXPECT_EQ(import.scene.wires, (std::vector<PolyWire>{{0, 1}, {0, 3}}));
   EXPECT_EQ(import.report.faces.merged_vertices, 1U);
@@ -60,7 +60,7 @@ TEST(PolyMend, WiresFollowTheirVertices) {
 TEST(PolyMend, WiresRemainEvenWithoutFaces) {
   PolyMesh mesh = mesh_of({{0, 0, 0}, {8, 0, 0}, {16, 0, 0}, {0, 0, 5}}, {{0, 1, 2}});
   mesh.wires = {{0, 3}};
-  const PolyImport import = mended(mesh);
+  const PolyImport import = mend_mesh(mesh);
   EXPECT_TRUE(import.scene.bodies.empty());
   EXPECT_EQ(import.scene.vertices, (std::vector<PolyPoint>{{0, 0, 0}, {0, 0, 5}}));
   EXPECT_EQ(import.scene.wires, (std::vector<PolyWire>{{0, 1}}));
@@ -68,7 +68,7 @@ TEST(PolyMend, WiresRemainEvenWithoutFaces) {
 }
 
 TEST(PolyMend, ValidMeshesAreUnchanged) {
-  const PolyImport cube = mended(mesh_of(cube_corners, cube_faces));
+  const PolyImport cube = mend_mesh(mesh_of(cube_corners, cube_faces));
   const MendReport& report = cube.report.faces;
   EXPECT_EQ(report.merged_vertices + report.dropped_vertices + report.dropped_faces + report.duplicate_faces +
                 report.split_faces + report.turned_faces + report.sheets + report.crowded_edges + report.crossing_faces,
@@ -82,9 +82,9 @@ TEST(PolyMend, FacesTurnedTheWrongWay) {
   Faces faces = cube_faces;
   std::reverse(faces[1].begin(), faces[1].end());
   std::reverse(faces[4].begin(), faces[4].end());
-  EXPECT_EQ(mended(mesh_of(cube_corners, faces)).report.faces.turned_faces, 2U);
+  EXPECT_EQ(mend_mesh(mesh_of(cube_corners, faces)).report.faces.turned_faces, 2U);
   for (std::size_t f : {0U, 2U, 3U, 5U}) std::reverse(faces[f].begin(), faces[f].end());  // now all are inside out
-  EXPECT_EQ(mended(mesh_of(cube_corners, faces)).report.faces.turned_faces, 6U);
+  EXPECT_EQ(mend_mesh(mesh_of(cube_corners, faces)).report.faces.turned_faces, 6U);
 }
 
 TEST(PolyMend, NestedShellsAlternate) {
@@ -93,13 +93,13 @@ TEST(PolyMend, NestedShellsAlternate) {
   Faces faces;
   for (const double scale : {8.0, 4.0, 1.0}) {
     const auto first = static_cast<VertexIndex>(points.size());
-    for (const auto& p : moved(cube_corners, scale, -4 * scale)) points.push_back(p);
+    for (const auto& p : translate(cube_corners, scale, -4 * scale)) points.push_back(p);
     for (auto face : cube_faces) {
       for (VertexIndex& v : face) v += first;
       faces.push_back(face);
     }
   }
-  const PolyImport nested = mended(mesh_of(points, faces));
+  const PolyImport nested = mend_mesh(mesh_of(points, faces));
   EXPECT_EQ(nested.report.faces.turned_faces, 6U);
   ASSERT_EQ(nested.scene.bodies.size(), 2U);
   EXPECT_EQ(nested.scene.bodies[0].faces.size(), 12U);  // with its cavity
@@ -109,13 +109,13 @@ TEST(PolyMend, NestedShellsAlternate) {
 TEST(PolyMend, AnOpenPartIsASheetAndAMoebiusBandHasOneSide) {
   Faces open = cube_faces;
   open.pop_back();
-  const PolyImport box = mended(mesh_of(cube_corners, open));
+  const PolyImport box = mend_mesh(mesh_of(cube_corners, open));
   EXPECT_TRUE(box.scene.bodies.at(0).sheet);
   EXPECT_EQ(box.report.faces.sheets, 1U);
   EXPECT_EQ(box.report.faces.one_sided, 0U);
   // Five triangles in a ring, the smallest one-sided band.
   const std::vector<std::array<double, 3>> points{{90, 0, 5}, {28, 85, -20}, {-73, 53, 30}, {-73, -53, -7}, {28, -86, 11}};
-  EXPECT_EQ(mended(mesh_of(points, {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}})).report.faces.one_sided, 1U);
+  EXPECT_EQ(mend_mesh(mesh_of(points, {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}})).report.faces.one_sided, 1U);
 }
 
 // A cube whose faces all have separate corners, as in STL, moved by `apart` along an axis: x, y and z in turn.
@@ -134,13 +134,13 @@ TEST(PolyMend, CoincidentAndNearbyVertices) {
   std::vector<std::array<double, 3>> points;
   Faces faces;
   add_loose_cube(0, points, faces);
-  const PolyImport joined = mended(mesh_of(points, faces));
+  const PolyImport joined = mend_mesh(mesh_of(points, faces));
   EXPECT_EQ(joined.report.faces.merged_vertices, 16U);
   EXPECT_FALSE(joined.scene.bodies.at(0).sheet);
   // Corners that almost meet: separate by default, merged with a distance.
   for (std::size_t i = 0; i < points.size(); ++i) points[i][i % 3] += 0.01 * static_cast<double>(i / 4 % 3);
-  EXPECT_GT(mended(mesh_of(points, faces)).report.faces.sheets, 0U);
-  const PolyImport welded = mended(mesh_of(points, faces), 0.1);
+  EXPECT_GT(mend_mesh(mesh_of(points, faces)).report.faces.sheets, 0U);
+  const PolyImport welded = mend_mesh(mesh_of(points, faces), 0.1);
   EXPECT_EQ(welded.scene.vertices.size(), 8U);
   EXPECT_EQ(welded.report.faces.sheets, 0U);
 }
@@ -150,7 +150,7 @@ TEST(PolyMend, RepeatedDegenerateAndSelfCrossingFaces) {
   faces.push_back({1, 0, 3, 2});     // the first again, starting at another corner
   faces.push_back({0, 1, 0});        // no area
   faces.push_back({0, 6, 3, 5});     // crosses itself, and is not planar
-  const PolyImport result = mended(mesh_of(cube_corners, faces));
+  const PolyImport result = mend_mesh(mesh_of(cube_corners, faces));
   EXPECT_EQ(result.report.faces.duplicate_faces, 1U);
   EXPECT_EQ(result.report.faces.dropped_faces, 1U);
 }
@@ -170,7 +170,7 @@ TEST(PolyMend, ASolidThatSticksOutOfAnotherIsNotACavity) {
       for (std::size_t a = 0; a < 3; ++a) p[a] = corner[a] > 0 ? size : 0;
       all.push_back(p);
     }
-    const PolyImport result = mended(mesh_of(all, faces));
+    const PolyImport result = mend_mesh(mesh_of(all, faces));
     EXPECT_EQ(result.scene.bodies.size(), size == 6 ? 2U : 1U);
     EXPECT_EQ(result.report.faces.turned_faces, size == 6 ? 0U : 6U);
   }
@@ -180,7 +180,7 @@ TEST(PolyMend, AFlatTriangleLeavesNoCrack) {
   // A tetrahedron with a vertex in the middle of one edge on one side only, and a triangle that fills the gap.
   const std::vector<std::array<double, 3>> points{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8}, {4, 4, 0}};
   const Faces faces{{0, 2, 4}, {0, 4, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {1, 4, 2}};
-  const PolyImport result = mended(mesh_of(points, faces));
+  const PolyImport result = mend_mesh(mesh_of(points, faces));
   ASSERT_EQ(result.scene.bodies.size(), 1U);
   EXPECT_FALSE(result.scene.bodies[0].sheet);
   EXPECT_EQ(result.report.faces.dropped_faces, 1U);
@@ -190,7 +190,7 @@ TEST(PolyMend, AFlatTriangleLeavesNoCrack) {
 TEST(PolyMend, FacesThatAreNotPlanarBecomeTriangles) {
   std::vector<std::array<double, 3>> points = cube_corners;
   points[6] = {8, 8, 10};
-  const PolyImport result = mended(mesh_of(points, cube_faces));
+  const PolyImport result = mend_mesh(mesh_of(points, cube_faces));
   EXPECT_EQ(result.report.faces.split_faces, 1U);  // the top; the sides keep their planes
   EXPECT_EQ(result.scene.bodies.at(0).faces.size(), 7U);
   EXPECT_GT(result.report.faces.largest_deviation, 0.4);
@@ -205,7 +205,7 @@ TEST(PolyMend, VerticesOnEdgesOfOtherFaces) {
   Faces faces = cube_faces;
   faces[3] = {1, 8, 9, 5};
   faces.push_back({8, 2, 6, 9});
-  const PolyImport result = mended(mesh_of(points, faces));
+  const PolyImport result = mend_mesh(mesh_of(points, faces));
   EXPECT_EQ(result.report.faces.divided_edges, 2U);
   EXPECT_EQ(result.report.faces.sheets, 0U);
   EXPECT_EQ(result.scene.bodies.at(0).faces.size(), 7U);
@@ -216,7 +216,7 @@ TEST(PolyMend, VerticesOnEdgesOfOtherFaces) {
   apart.grouped = true;
   apart.bodies.emplace_back().faces = {apart.bodies[0].faces[3], apart.bodies[0].faces[6]};
   apart.bodies[0].faces = {apart.bodies[0].faces.begin(), apart.bodies[0].faces.begin() + 3};
-  EXPECT_EQ(mended(std::move(apart)).report.faces.divided_edges, 0U);
+  EXPECT_EQ(mend_mesh(std::move(apart)).report.faces.divided_edges, 0U);
 }
 
 // Near an edge is not on it: the precision of the file decides.
@@ -230,7 +230,7 @@ TEST(PolyMend, VerticesNearEdgesDivideNothing) {
     faces.push_back({8, 2, 6, 9});
     PolyMesh mesh = mesh_of(points, faces);
     mesh.precision = 0.0001;
-    const PolyImport result = mended(std::move(mesh));
+    const PolyImport result = mend_mesh(std::move(mesh));
     EXPECT_EQ(result.report.faces.divided_edges, aside < 0.001 ? 2U : 0U);
     EXPECT_EQ(result.report.faces.sheets, aside < 0.001 ? 0U : 1U);
   }
@@ -241,7 +241,7 @@ TEST(PolyMend, VerticesNearEdgesDivideNothing) {
 // side does, and so does one that extends beyond its end: then both are divided.
 TEST(PolyMend, VerticesThatOnlyTouchAnEdgeDivideNothing) {
   const auto divided = [](const std::array<double, 3>& a, const std::array<double, 3>& b) {
-    return mended(mesh_of({{0, 0, 0}, {8, 0, 0}, {4, 5, 0}, a, b, {5, -6, 3}}, {{0, 1, 2}, {3, 4, 5}})).report.faces.divided_edges;
+    return mend_mesh(mesh_of({{0, 0, 0}, {8, 0, 0}, {4, 5, 0}, a, b, {5, -6, 3}}, {{0, 1, 2}, {3, 4, 5}})).report.faces.divided_edges;
   };
   EXPECT_EQ(divided({4, 0, 0}, {3, -5, 3}), 0U);
   EXPECT_EQ(divided({2, 0, 0}, {6, 0, 0}), 1U);
@@ -309,7 +309,7 @@ TEST(PolyMend, BoxesCutAnywhereStayBoxes) {
     }
     PolyMesh mesh = mesh_of(points, faces);
     mesh.precision = 1 / decimals;
-    const PolyImport result = mended(std::move(mesh));
+    const PolyImport result = mend_mesh(std::move(mesh));
     EXPECT_EQ(result.report.faces.sheets, 0U) << round;
     EXPECT_EQ(result.scene.bodies.size(), 1U) << round;
     EXPECT_EQ(result.scene.surfaces.size(), 6U) << round;
@@ -356,7 +356,7 @@ TEST(PolyMend, SidesWithAdditionalVerticesStayTogether) {
     }
     PolyMesh mesh = mesh_of(points, faces);
     mesh.precision = decimals > 1 ? 1 / decimals : 0;
-    const PolyImport result = mended(std::move(mesh));
+    const PolyImport result = mend_mesh(std::move(mesh));
     EXPECT_EQ(result.report.faces.sheets, 0U) << round;
     EXPECT_EQ(result.report.faces.crowded_edges, 0U) << round;
     EXPECT_EQ(result.scene.bodies.size(), 1U) << round;
@@ -369,19 +369,19 @@ TEST(PolyMend, SidesWithAdditionalVerticesStayTogether) {
 TEST(PolyMend, CracksOfRoundingAreClosed) {
   std::vector<std::array<double, 3>> points = cube_corners;
   for (auto& p : points) p[0] += 0.1 / 7;  // not a decimal fraction
-  const double step = mended(mesh_of(points, cube_faces)).report.step;
+  const double step = mend_mesh(mesh_of(points, cube_faces)).report.step;
   const double edge = (std::floor(points[1][0] / step) - 9.5) * step;  // between two points of the grid
   points[1][0] = points[2][0] = points[5][0] = points[6][0] = edge - step / 6;
   Faces faces = cube_faces;
   points.push_back({edge + step / 6, 0, 0});
   faces[2][1] = 8;
-  const PolyImport closed = mended(mesh_of(points, faces));
+  const PolyImport closed = mend_mesh(mesh_of(points, faces));
   EXPECT_EQ(closed.report.step, step);
   EXPECT_EQ(closed.report.faces.joined_vertices, 1U);
   EXPECT_EQ(closed.report.faces.sheets, 0U);
   points = cube_corners;
   points.push_back({9, 0, 0});
-  const PolyImport open = mended(mesh_of(points, faces));
+  const PolyImport open = mend_mesh(mesh_of(points, faces));
   EXPECT_EQ(open.report.faces.joined_vertices, 0U);
   EXPECT_EQ(open.report.faces.sheets, 1U);
 }
@@ -391,26 +391,26 @@ TEST(PolyMend, AHelpfulDistanceIsSuggested) {
   std::vector<std::array<double, 3>> points;
   Faces faces;
   add_loose_cube(0.01, points, faces);
-  const PolyImport open = mended(mesh_of(points, faces));
+  const PolyImport open = mend_mesh(mesh_of(points, faces));
   EXPECT_GT(open.report.faces.sheets, 0U);
   EXPECT_EQ(open.report.faces.helpful_weld, 0.02);  // corners are 0.01 or 0.0141 apart
   EXPECT_EQ(open.report.faces.sheets_with_weld, 0U);
-  EXPECT_EQ(mended(mesh_of(points, faces), 0.02).report.faces.sheets, 0U);
+  EXPECT_EQ(mend_mesh(mesh_of(points, faces), 0.02).report.faces.sheets, 0U);
   Faces hole = cube_faces;
   hole.pop_back();
-  EXPECT_EQ(mended(mesh_of(cube_corners, hole)).report.faces.helpful_weld, 0.0);
+  EXPECT_EQ(mend_mesh(mesh_of(cube_corners, hole)).report.faces.helpful_weld, 0.0);
 }
 
 // A square of a height field, warped so that its outline crosses itself along y, where its area is largest, but not along z.
 TEST(PolyMend, AWarpedSquareOfAHeightFieldIsTwoTriangles) {
-  const PolyImport result = mended(mesh_of({{0, 0, 20}, {0, 10, 23}, {10, 10, 2}, {10, 0, 27}}, {{0, 1, 2, 3}}));
+  const PolyImport result = mend_mesh(mesh_of({{0, 0, 20}, {0, 10, 23}, {10, 10, 2}, {10, 0, 27}}, {{0, 1, 2, 3}}));
   EXPECT_EQ(result.report.faces.crossing_faces, 0U);
   EXPECT_EQ(result.report.faces.split_faces, 1U);
   EXPECT_EQ(result.scene.bodies.at(0).faces.size(), 2U);
   // A planar one crosses itself in every projection; when turned, its corners are rounded.
   const std::vector<std::array<double, 3>> points{{0, 0, 0}, {9.7, 9.9, 3.3}, {9.7, 0, 3.3}, {0, 9.9, 0},
                                                   {0, 0, 9}, {9, 0, 9},       {0, 9, 9}};
-  const PolyImport bow = mended(mesh_of(points, {{0, 1, 2, 3}, {4, 5, 6}}));
+  const PolyImport bow = mend_mesh(mesh_of(points, {{0, 1, 2, 3}, {4, 5, 6}}));
   EXPECT_EQ(bow.report.faces.crossing_faces + bow.report.faces.dropped_faces, 1U);
 }
 
@@ -455,7 +455,7 @@ TEST(PolyMend, WeldingDoesNotDependOnTheOrder) {
     Faces renamed = faces;
     for (auto& face : renamed)
       for (VertexIndex& v : face) v = place[v];
-    std::vector<PolyPoint> all = mended(mesh_of(shuffled, renamed), 3).scene.vertices;
+    std::vector<PolyPoint> all = mend_mesh(mesh_of(shuffled, renamed), 3).scene.vertices;
     std::sort(all.begin(), all.end());
     return all;
   };

@@ -15,7 +15,7 @@ namespace {
 using Point = std::array<double, 3>;
 
 // A turn by an odd angle, so that no coordinate stays an integer.
-Point turned(const Point& p, double angle) {
+Point rotate(const Point& p, double angle) {
   const double c = std::cos(angle);
   const double s = std::sin(angle);
   const Point q{c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
@@ -31,7 +31,7 @@ PolyMesh plate(int n, double angle) {
   for (int side = 0; side < 2; ++side)
     for (int j = 0; j <= n; ++j)
       for (int i = 0; i <= n; ++i) {
-        Point p = turned({i * 10.0 / n, j * 10.0 / n, 1.5 * side}, angle);
+        Point p = rotate({i * 10.0 / n, j * 10.0 / n, 1.5 * side}, angle);
         for (double& c : p) c = static_cast<float>(c);
         mesh.vertices.push_back(p);
       }

@@ -103,8 +103,8 @@ TEST(I8080Errors, IncludedFilesAreNamed) {
   const Files files{{"a.inc", "\n FOO\n"}, {"loop.inc", " INCLUDE loop.inc\n"}};
   EXPECT_EQ(messages(assemble8080(" INCLUDE a.inc\n INCLUDE loop.inc\n", {}, files)),
             (Texts{"a.inc:2:2: error: found 'FOO', expected an instruction, a directive or a macro",
-                   "loop.inc:1:10: error: found 'loop.inc', which is being read, expected no file that "
-                   "includes itself"}));
+                   "loop.inc:1:10: error: found 'loop.inc', which is being read, expected a file that "
+                   "does not include itself"}));
 }
 
 TEST(I8080Errors, EndlessRecursionAndRepeats) {

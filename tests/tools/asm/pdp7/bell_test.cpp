@@ -236,8 +236,8 @@ TEST(BellErrors, EachHasItsPosition) {
          "1:5: error: found 't' before its first definition, expected an earlier assignment, because it "
          "is assigned several values");
   expect("1\n.=.-1\n2",
-         "3:1: warning: found a second word at 010000, which replaces that of t.s:1, expected one word a "
-         "location");
+         "3:1: warning: found a second word at 010000, which replaces that of t.s:1, expected one word "
+         "per location");
   expect("_x", "1:1: error: found '_', expected a name, a number, '.' or a character <a");
 }
 

@@ -72,8 +72,8 @@ INSTANTIATE_TEST_SUITE_P(
             "assign_permanent", "add=2\n 1",
             "t.s:1:1: warning: found an assignment to permanent symbol 'add', expected another name"},
         Mistake{"mark_tag", "a, 1\nlac #a",
-                "t.s:2:6: error: found '#' at symbol 'a', which is defined otherwise, expected a name of its "
-                "own for a variable"},
+                "t.s:2:6: error: found '#' at symbol 'a', which is defined otherwise, expected another name "
+                "for the variable"},
         Mistake{"mark_nothing", "lac # 5",
                 "t.s:1:7: error: found '5', expected the name of a variable after '#'"},
         Mistake{"before_first", " a\na=1\na=2",
@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "what the machine will use"},
         Mistake{"overlap", "10/ 1\n10/ 2",
                 "t.s:2:5: warning: found a second word at 00010, which replaces that of t.s:1, expected one "
-                "word an address"},
+                "word per address"},
         Mistake{"no_bracket", "ifzero 0 5",
                 "t.s:1:11: error: found the end of the file, expected '<' after the condition"},
         Mistake{"open_taken", "ifzero 0 <5",

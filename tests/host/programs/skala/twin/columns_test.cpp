@@ -13,7 +13,7 @@ using algorithms::oracle::column_picture;
 
 constexpr int seeds_per_kind = 25;
 
-std::vector<Chain> shuffled(std::vector<Chain> chains, std::uint32_t seed) {
+std::vector<Chain> shuffle_chains(std::vector<Chain> chains, std::uint32_t seed) {
   programs::jones::Dice dice(seed);
   for (std::size_t i = chains.size(); i-- > 1;)
     std::swap(chains[i], chains[static_cast<std::size_t>(dice(0, static_cast<int>(i)))]);
@@ -30,7 +30,7 @@ SkalaBytes sent(const std::vector<Chain>& chains, int silhouette) {
 
 void expect_as_oracle(const std::vector<Chain>& chains, std::uint32_t seed) {
   const auto picture = sent(chains, 0).end().run();
-  const auto expected = column_picture(shuffled(chains, seed), 0);
+  const auto expected = column_picture(shuffle_chains(chains, seed), 0);
   ASSERT_EQ(picture.status, Status::complete);
   EXPECT_EQ(lit_differences(picture.raster(Device::ef9365), expected.lit), "");
   expect_same_masks(picture.columns, expected);
@@ -98,7 +98,7 @@ TEST_P(SkalaTwinColumns, SilhouettesAndOutline) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const SliceFamily family(seed, GetParam());
     const auto chains = family.chains(SegmentRole::mask, SegmentRole::mask);
-    const auto expected = column_picture(shuffled(chains, seed), 0);
+    const auto expected = column_picture(shuffle_chains(chains, seed), 0);
     const auto folds = sent(chains, 2).end().run();
     expect_folds(folds.raster(Device::ef9365), expected);
     // The pen moves away, so that the outline's first point is a step.

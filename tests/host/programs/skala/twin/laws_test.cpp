@@ -34,7 +34,7 @@ core::Raster raster_of(SkalaBytes bytes) {
   return bytes.end().run().raster(Device::ef9365);
 }
 
-std::vector<RasterDot> walked(Point from, Point to) {
+std::vector<RasterDot> walk_dots(Point from, Point to) {
   std::vector<RasterDot> dots{{from.x, from.y}};
   walk_line(from, to, [&](Point point) { dots.push_back({point.x, point.y}); });
   return dots;
@@ -70,8 +70,8 @@ TEST(SkalaTwinLaws, EveryLineHasItsClosedFormInBothDirections) {
     for (int dy = -255; dy <= 255; dy += step) {
       const Point from = corner(dx, dy);
       const Point to{static_cast<std::uint8_t>(from.x + dx), static_cast<std::uint8_t>(from.y + dy)};
-      const auto forward = walked(from, to);
-      auto backward = walked(to, from);
+      const auto forward = walk_dots(from, to);
+      auto backward = walk_dots(to, from);
       std::reverse(backward.begin(), backward.end());
       ASSERT_EQ(forward, backward) << dx << ", " << dy;
       ASSERT_EQ(forward, segment_dots(from.x, from.y, to.x, to.y)) << dx << ", " << dy;

@@ -87,7 +87,7 @@ TEST(SkalaTwinPlotter, MaskedStepsEndARunAndTheirLastIsInkedByTheNext) {
 using Dots = std::set<std::pair<int, int>>;
 
 // The points visited while the pen was down.
-Dots covered(const TwinPicture& drawn) {
+Dots covered_dots(const TwinPicture& drawn) {
   Dots dots;
   for (const PlotterMove& move : drawn.moves)
     if (move.pen_down) dots.emplace(move.x, move.y);
@@ -151,14 +151,14 @@ TEST(SkalaTwinPlotter, ThePathIsPossibleAndCoversThePicture) {
     const auto chains = drawable(SliceFamily(seed, kind).chains(SegmentRole::draw, SegmentRole::draw));
     const auto plotted = drawn_on(Device::minigraf, true, chains);
     expect_possible(plotted);
-    for (const auto& [x, y] : covered(plotted)) {
+    for (const auto& [x, y] : covered_dots(plotted)) {
       ASSERT_LE(y, plotted.columns.mask_top[static_cast<std::size_t>(x)]);
       ASSERT_GE(y, plotted.columns.mask_bottom[static_cast<std::size_t>(x)]);
     }
     const auto all = drawn_on(Device::calcomp, false, chains);
     expect_possible(all);
     const auto everything = drawn_on(Device::ef9365, false, chains);
-    ASSERT_EQ(covered(all), lit(everything.raster(Device::ef9365)));
+    ASSERT_EQ(covered_dots(all), lit(everything.raster(Device::ef9365)));
   }
 }
 

@@ -56,7 +56,7 @@ TEST(SkalaTwinViews, SmallFlatAndSpikedGrids) {
 }
 
 // x' = z, z' = -x: the surface turned by a quarter, to be seen from an angle 90 degrees less.
-scene::HeightGrid turned(const scene::HeightGrid& grid) {
+scene::HeightGrid rotate_grid(const scene::HeightGrid& grid) {
   scene::HeightGrid result{grid.z, grid.x, {}, grid.domain_z, grid.domain_x, grid.range};
   for (std::size_t slice = 0; slice < grid.points(); ++slice)
     for (std::size_t point = 0; point < grid.slices(); ++point)
@@ -73,7 +73,7 @@ TEST(SkalaTwinViews, AQuarterTurnOfDataAndEyeChangesNothing) {
       view.rotation = rotation;
       View turned_view = view;
       turned_view.rotation = rotation - 90;
-      EXPECT_TRUE(twin_raster(grid, view) == twin_raster(turned(grid), turned_view));
+      EXPECT_TRUE(twin_raster(grid, view) == twin_raster(rotate_grid(grid), turned_view));
     }
   }
 }
