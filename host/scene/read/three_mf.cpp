@@ -209,9 +209,9 @@ class ThreeMfReader {
       return std::nullopt;
     }
     model_bytes_ += text->size();
-    // What pugixml makes of an element and of an attribute, on 64 bits.
+    // What pugixml makes of an element with text behind it, and of an attribute.
     const auto count = [&](char c) { return static_cast<std::uint64_t>(std::count(text->begin(), text->end(), c)); };
-    if (64 * count('<') + 40 * count('=') > most_tree_bytes) {
+    if (128 * count('<') + 40 * count('=') > most_tree_bytes) {
       fail(name, "found " + std::to_string(count('<')) + " elements", "a model that takes at most 4 GB of memory",
            "export fewer parts, or as binary STL");
       return std::nullopt;
