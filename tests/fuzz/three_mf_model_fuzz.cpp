@@ -19,7 +19,9 @@ void put(std::string& bytes, std::initializer_list<Field> fields) {
 std::string archive_of(std::string_view model) {
   const std::string name = "3D/3dmodel.model";
   const std::uint32_t crc = sightline::base::crc32(std::span(reinterpret_cast<const std::uint8_t*>(model.data()), model.size()));
-  const auto put_common = [&](std::string& bytes) { put(bytes, {{20, 2}, {0, 8}, {crc, 4}, {model.size(), 4}, {model.size(), 4}, {name.size(), 2}, {0, 2}}); };
+  const auto put_common = [&](std::string& bytes) {
+    put(bytes, {{20, 2}, {0, 8}, {crc, 4}, {model.size(), 4}, {model.size(), 4}, {name.size(), 2}, {0, 2}});
+  };
   std::string archive = "PK\3\4";
   put_common(archive);
   archive += name;
@@ -40,6 +42,7 @@ std::string archive_of(std::string_view model) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string archive = archive_of(std::string_view(reinterpret_cast<const char*>(data), size));
-  sightline::fuzz::fuzz_poly(reinterpret_cast<const std::uint8_t*>(archive.data()), archive.size(), sightline::scene::PolyFormat::threemf);
+  sightline::fuzz::fuzz_poly(reinterpret_cast<const std::uint8_t*>(archive.data()), archive.size(),
+                             sightline::scene::PolyFormat::threemf);
   return 0;
 }

@@ -52,7 +52,8 @@ base::Result<std::uint64_t> face_count(std::string_view bytes) {
   constexpr std::size_t header = 11;
   if (bytes.size() < header || !bytes.starts_with("DRACO")) return damaged("found no header of Draco", "\"DRACO\"");
   const unsigned version = 256U * static_cast<std::uint8_t>(bytes[5]) + static_cast<std::uint8_t>(bytes[6]);
-  if (version != 0x202) return damaged("found version " + std::to_string(version / 256) + "." + std::to_string(version % 256) + " of Draco", "2.2");
+  if (version != 0x202)
+    return damaged("found version " + std::to_string(version / 256) + "." + std::to_string(version % 256) + " of Draco", "2.2");
   if (bytes[7] != 1) return damaged("found no triangles in the compressed data", "a mesh");
   if ((static_cast<std::uint8_t>(bytes[10]) & 0x80U) != 0) return damaged("found metadata in the compressed data", "none");
   const bool edgebreaker = bytes[8] == 1;
@@ -77,7 +78,8 @@ base::Result<DracoMesh> mesh_of(draco::Mesh& decoded, std::uint32_t id) {
   }
   for (draco::FaceIndex f(0); f < decoded.num_faces(); ++f) {
     for (const draco::PointIndex& corner : decoded.face(f)) {
-      if (corner.value() >= mesh.vertices.size()) return damaged("found a face with point " + std::to_string(corner.value()), "a point of the mesh");
+      if (corner.value() >= mesh.vertices.size())
+        return damaged("found a face with point " + std::to_string(corner.value()), "a point of the mesh");
       mesh.corners.push_back(corner.value());
     }
   }
@@ -98,7 +100,8 @@ base::Result<DracoMesh> read_draco(std::string_view bytes, std::uint32_t attribu
     buffer.Init(bytes.data(), bytes.size());
     draco::Decoder decoder;
     auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
-    if (!decoded.ok()) return damaged("found damage: " + printable_name(decoded.status().error_msg_string()), "data that Draco can read");
+    if (!decoded.ok())
+      return damaged("found damage: " + printable_name(decoded.status().error_msg_string()), "data that Draco can read");
     return mesh_of(*decoded.value(), attribute);
   } catch (const std::exception&) {
     return damaged("found sizes that need more memory than there is", "");

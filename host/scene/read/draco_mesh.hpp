@@ -17,8 +17,8 @@ struct DracoMesh {
   std::vector<std::uint32_t> corners;  // three per triangle; every index is below vertices.size()
 };
 
-// `attribute`: the unique id of the positions. Errors have neither file nor place: damage, more than `most_faces`, more faces than so
-// few bytes can hold (100 per byte, beyond a million), or a program without libdraco.
+// `attribute`: the unique id of the positions. Errors have neither file nor place: damage, more than `most_faces`, more faces
+// than so few bytes can hold (100 per byte, beyond a million), or a program without libdraco.
 [[nodiscard]] base::Result<DracoMesh> read_draco(std::string_view bytes, std::uint32_t attribute, std::size_t most_faces);
 
 }  // namespace sightline::scene

@@ -63,14 +63,22 @@ base::Result<PolyMesh> read_glb(std::string_view bytes, std::string_view source,
 namespace sightline::scene {
 namespace {
 
-enum Mode : std::uint8_t { points = 0, lines = 1, line_loop = 2, line_strip = 3, triangles = 4, triangle_strip = 5, triangle_fan = 6 };
+enum Mode : std::uint8_t {
+  points = 0,
+  lines = 1,
+  line_loop = 2,
+  line_strip = 3,
+  triangles = 4,
+  triangle_strip = 5,
+  triangle_fan = 6
+};
 
 // Extensions that say how a mesh looks, not where it is, and those that are read.
 bool leaves_geometry(std::string_view extension) {
   for (const std::string_view family : {"KHR_materials_", "KHR_texture_", "KHR_lights_", "EXT_texture_"})
     if (extension.starts_with(family)) return true;
-  for (const std::string_view name : {"KHR_draco_mesh_compression", "KHR_mesh_quantization", "KHR_xmp", "KHR_xmp_json_ld", "MSFT_texture_dds",
-                                      "KHR_technique_webgl", "KHR_techniques_webgl"})
+  for (const std::string_view name : {"KHR_draco_mesh_compression", "KHR_mesh_quantization", "KHR_xmp", "KHR_xmp_json_ld",
+                                      "MSFT_texture_dds", "KHR_technique_webgl", "KHR_techniques_webgl"})
     if (extension == name) return true;
   return false;
 }
@@ -95,8 +103,7 @@ class GltfReader {
     auto mesh = meshes_.take();
     if (!mesh) return mesh;
     if (thin_ > 0) mesh->notes.push_back(std::to_string(thin_) + " points and lines");
-    if (left_over_ > 0)
-      mesh->notes.push_back(counted(left_over_, "vertex", "vertices") + " beyond the last whole triangle");
+    if (left_over_ > 0) mesh->notes.push_back(counted(left_over_, "vertex", "vertices") + " beyond the last whole triangle");
     if (beyond_ > 0) mesh->notes.push_back(counted(beyond_, "face", "faces") + " with a vertex that is not there");
     const base::Json* const skins = document_.root().find("skins");
     if (skins != nullptr && skins->size() > 0) mesh->notes.push_back(counted(skins->size(), "skin", "skins"));
@@ -119,7 +126,8 @@ class GltfReader {
     if (required == nullptr) return;
     for (const base::Json& name : required->elements()) {
       if (name.text() == nullptr || leaves_geometry(*name.text())) continue;
-      document_.fail("extensionsRequired", "found " + quoted_excerpt(*name.text()), "no such extension of the geometry", "export without it");
+      document_.fail("extensionsRequired", "found " + quoted_excerpt(*name.text()), "no such extension of the geometry",
+                     "export without it");
     }
   }
 
@@ -134,7 +142,8 @@ class GltfReader {
     if (chosen != nullptr) {
       scene = document_.entry("scenes", *chosen, "scene");
     } else if (scenes != nullptr && scenes->size() > 0) {
-      scene = scenes->is_array() ? GltfEntry{&(*scenes)[0], "scenes[0]"} : GltfEntry{&scenes->members()[0].value, "scenes." + scenes->members()[0].key};
+      scene = scenes->is_array() ? GltfEntry{&(*scenes)[0], "scenes[0]"}
+                                 : GltfEntry{&scenes->members()[0].value, "scenes." + scenes->members()[0].key};
     } else {
       push_roots();
       return;
@@ -150,7 +159,8 @@ class GltfReader {
       const base::Json* const below = (*nodes)[i].find("children");
       if (below == nullptr) continue;
       for (const base::Json& child : below->elements())
-        if (const auto entry = document_.entry("nodes", child, base::indexed("nodes", i) + ".children")) children.insert(entry->json);
+        if (const auto entry = document_.entry("nodes", child, base::indexed("nodes", i) + ".children"))
+          children.insert(entry->json);
     }
     for (std::size_t i = nodes->elements().size(); i-- > 0;)
       if (!children.contains(&(*nodes)[i])) pending_.push_back({{&(*nodes)[i], base::indexed("nodes", i)}, no_transform});
@@ -268,7 +278,8 @@ class GltfReader {
     const auto position = named ? document_.accessor(*named) : std::nullopt;
     if (!position) return;
     if (position->components != 3) {
-      document_.fail(named->place + ".type", "found positions of " + std::to_string(position->components) + " numbers", "\"VEC3\"");
+      document_.fail(named->place + ".type", "found positions of " + std::to_string(position->components) + " numbers",
+                     "\"VEC3\"");
       return;
     }
     std::optional<GltfAccessor> indices;
@@ -277,7 +288,8 @@ class GltfReader {
       indices = whose ? document_.accessor(*whose) : std::nullopt;
       if (!indices) return;
       if (indices->components != 1 || indices->is_float) {
-        document_.fail(whose->place, "found indices that are no whole numbers", "\"SCALAR\" of component type 5121, 5123 or 5125");
+        document_.fail(whose->place, "found indices that are no whole numbers",
+                       "\"SCALAR\" of component type 5121, 5123 or 5125");
         return;
       }
     }
@@ -320,7 +332,8 @@ class GltfReader {
       for (const std::uint64_t v : face) mesh.corners.push_back(static_cast<std::uint32_t>(v));
     }
     if (mesh.corners.empty() && faces > 0 && beyond_ > 0)
-      document_.fail(mesh.place + ".indices", "found no face whose vertices are all there", "numbers below " + std::to_string(position.count));
+      document_.fail(mesh.place + ".indices", "found no face whose vertices are all there",
+                     "numbers below " + std::to_string(position.count));
   }
 
   // The vertices of the corners.
@@ -337,7 +350,8 @@ class GltfReader {
     for (const std::uint32_t v : mesh.corners) {
       const auto& vertex = mesh.vertices[v];
       if (std::isfinite(vertex[0]) && std::isfinite(vertex[1]) && std::isfinite(vertex[2])) continue;
-      document_.fail(mesh.place + ", vertex " + std::to_string(used.empty() ? v : used[v]), "found a coordinate that is no finite number", "a number");
+      document_.fail(mesh.place + ", vertex " + std::to_string(used.empty() ? v : used[v]),
+                     "found a coordinate that is no finite number", "a number");
       return;
     }
     // Whole numbers are taken for exact, as in texts.
@@ -421,7 +435,8 @@ base::Result<Glb> glb_of(std::string_view bytes) {
     const std::uint32_t length = word_at(bytes, at);
     const std::size_t left = bytes.size() - at - 8;
     if (length > left)
-      return at_byte(at, "found a chunk of " + std::to_string(length) + " bytes", "at most the " + std::to_string(left) + " that are left", export_again);
+      return at_byte(at, "found a chunk of " + std::to_string(length) + " bytes",
+                     "at most the " + std::to_string(left) + " that are left", export_again);
     const std::string_view chunk = bytes.substr(at + 8, length);
     if (at == header) glb.json = chunk;
     if (at > header && word_at(bytes, at + 4) == binary_type && glb.binary.empty()) glb.binary = chunk;

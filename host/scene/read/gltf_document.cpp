@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* export_again = "the file is damaged: export it again";
 constexpr std::uint64_t most_number = std::uint64_t{1} << 53;
-constexpr std::uint64_t most_zeros = 10'000'000;                  // elements of an accessor without a buffer
+constexpr std::uint64_t most_zeros = 10'000'000;               // elements of an accessor without a buffer
 constexpr std::size_t most_file_bytes = std::size_t{2} << 30;  // of all files that are named
 
 enum ComponentType : std::uint16_t { int8 = 5120, uint8 = 5121, int16 = 5122, uint16 = 5123, uint32 = 5125, float32 = 5126 };
@@ -72,7 +72,12 @@ std::optional<std::string> base64_decoded(std::string_view text) {
   std::uint32_t bits = 0;
   unsigned count = 0;
   for (const char c : text) {
-    const int digit = c >= 'A' && c <= 'Z' ? c - 'A' : c >= 'a' && c <= 'z' ? c - 'a' + 26 : c >= '0' && c <= '9' ? c - '0' + 52 : c == '+' ? 62 : c == '/' ? 63 : -1;
+    const int digit = c >= 'A' && c <= 'Z'   ? c - 'A'
+                      : c >= 'a' && c <= 'z' ? c - 'a' + 26
+                      : c >= '0' && c <= '9' ? c - '0' + 52
+                      : c == '+'             ? 62
+                      : c == '/'             ? 63
+                                             : -1;
     if (digit < 0) return std::nullopt;
     bits = bits << 6 | static_cast<std::uint32_t>(digit);
     count += 6;
@@ -98,7 +103,8 @@ double GltfAccessor::value(std::uint64_t i, std::size_t c) const {
       else
         high = middle;
     }
-    if (low < sparse && word_at(places, low * place_size, place_size) == i) word = word_at(values, (low * components + c) * size, size);
+    if (low < sparse && word_at(places, low * place_size, place_size) == i)
+      word = word_at(values, (low * components + c) * size, size);
   }
   const double number = number_of(word, type);
   return unit == 1 ? number : std::max(number * unit, -1.0);
@@ -152,7 +158,8 @@ std::optional<std::uint64_t> GltfDocument::whole(const GltfEntry& from, const st
   const auto number = json == nullptr ? std::nullopt : json->number();
   if (number && *number >= 0 && *number <= static_cast<double>(most) && std::floor(*number) == *number)
     return static_cast<std::uint64_t>(*number);
-  fail(from.place + "." + member, "found " + (json == nullptr ? "nothing" : base::describe(*json)), "a whole number up to " + std::to_string(most));
+  fail(from.place + "." + member, "found " + (json == nullptr ? "nothing" : base::describe(*json)),
+       "a whole number up to " + std::to_string(most));
   return std::nullopt;
 }
 
@@ -186,7 +193,8 @@ std::optional<std::string> GltfDocument::bytes_of(const std::string& uri, const 
   const std::string name = percent_decoded(uri);
   const std::string shown = "found " + quoted_excerpt(name);
   if (folder_.empty()) {
-    fail(place, shown + ", which has no folder to be read from: the file came from standard input", "", "give the file by its name");
+    fail(place, shown + ", which has no folder to be read from: the file came from standard input", "",
+         "give the file by its name");
     return std::nullopt;
   }
   std::error_code failed;
@@ -194,7 +202,8 @@ std::optional<std::string> GltfDocument::bytes_of(const std::string& uri, const 
   const std::filesystem::path path = std::filesystem::weakly_canonical(root / name, failed);
   const auto [end, unused] = std::mismatch(root.begin(), root.end(), path.begin(), path.end());
   if (failed || end != root.end() || name.starts_with('/') || name.find('\0') != std::string::npos) {
-    fail(place, shown + ", which is outside of the file's folder, and not read", "", "move both files into one folder and write its name here");
+    fail(place, shown + ", which is outside of the file's folder, and not read", "",
+         "move both files into one folder and write its name here");
     return std::nullopt;
   }
   if (!std::filesystem::is_regular_file(path, failed)) {
@@ -230,7 +239,8 @@ std::optional<std::string_view> GltfDocument::buffer(const GltfEntry& entry) {
     bytes = known->second;
   }
   if (*length <= bytes.size()) return bytes.substr(0, *length);
-  fail(entry.place + ".byteLength", "found " + std::to_string(*length), "at most the " + std::to_string(bytes.size()) + " bytes that are there");
+  fail(entry.place + ".byteLength", "found " + std::to_string(*length),
+       "at most the " + std::to_string(bytes.size()) + " bytes that are there");
   return std::nullopt;
 }
 
@@ -280,7 +290,9 @@ bool GltfDocument::read_sparse(const GltfEntry& sparse, GltfAccessor& accessor) 
   accessor.place_size = size_of(*type);
   const auto places = part_of_view(where, where.place, *count, accessor.place_size, accessor.place_size);
   const std::size_t element = accessor.components * accessor.size;
-  const auto replaced = places ? part_of_view({values, sparse.place + ".values"}, sparse.place + ".values", *count, element, element) : std::nullopt;
+  const auto replaced = places
+                            ? part_of_view({values, sparse.place + ".values"}, sparse.place + ".values", *count, element, element)
+                            : std::nullopt;
   if (!replaced) return false;
   accessor.places = *places;
   accessor.values = *replaced;
@@ -314,7 +326,12 @@ std::optional<GltfAccessor> GltfDocument::accessor(const GltfEntry& entry) {
   }
   const base::Json* const shape = entry.json->find("type");
   const std::string* const name = shape == nullptr ? nullptr : shape->text();
-  accessor.components = name == nullptr ? 0 : *name == "SCALAR" ? 1 : *name == "VEC2" ? 2 : *name == "VEC3" ? 3 : *name == "VEC4" ? 4 : 0;
+  accessor.components = name == nullptr     ? 0
+                        : *name == "SCALAR" ? 1
+                        : *name == "VEC2"   ? 2
+                        : *name == "VEC3"   ? 3
+                        : *name == "VEC4"   ? 4
+                                            : 0;
   if (accessor.components == 0) {
     fail(entry.place + ".type", "found " + (shape == nullptr ? "nothing" : base::describe(*shape)), "\"SCALAR\" or \"VEC3\"");
     return std::nullopt;
@@ -331,14 +348,16 @@ std::optional<GltfAccessor> GltfDocument::accessor(const GltfEntry& entry) {
     if (!stride) return std::nullopt;
     accessor.stride = *stride == 0 ? element : *stride;
     if (accessor.stride < element) {
-      fail(whose->place + ".byteStride", "found " + std::to_string(*stride), "at least the " + std::to_string(element) + " bytes of an element");
+      fail(whose->place + ".byteStride", "found " + std::to_string(*stride),
+           "at least the " + std::to_string(element) + " bytes of an element");
       return std::nullopt;
     }
     const auto bytes = part_of_view(entry, entry.place + ".count", *count, element, accessor.stride);
     if (!bytes) return std::nullopt;
     accessor.bytes = *bytes;
   } else if (*count > most_zeros) {
-    fail(entry.place + ".count", "found " + std::to_string(*count), "at most " + std::to_string(most_zeros) + " without a buffer view");
+    fail(entry.place + ".count", "found " + std::to_string(*count),
+         "at most " + std::to_string(most_zeros) + " without a buffer view");
     return std::nullopt;
   }
   const base::Json* const sparse = entry.json->find("sparse");

@@ -34,13 +34,13 @@ class GltfAccessor {
 
  private:
   friend class GltfDocument;
-  unsigned type = 0;            // componentType
-  std::size_t size = 0;         // bytes of a component
-  double unit = 1;              // what a whole number is multiplied by: 1, or less if they are normalized
-  std::string_view bytes;       // of the first element and all that follow; empty: all are 0
+  unsigned type = 0;       // componentType
+  std::size_t size = 0;    // bytes of a component
+  double unit = 1;         // what a whole number is multiplied by: 1, or less if they are normalized
+  std::string_view bytes;  // of the first element and all that follow; empty: all are 0
   std::size_t stride = 0;
-  std::uint64_t sparse = 0;     // elements that are replaced
-  std::string_view places;      // their numbers, ascending
+  std::uint64_t sparse = 0;  // elements that are replaced
+  std::string_view places;   // their numbers, ascending
   unsigned place_type = 0;
   std::size_t place_size = 0;
   std::string_view values;
@@ -75,8 +75,8 @@ class GltfDocument {
  private:
   std::optional<std::string_view> buffer(const GltfEntry& entry);
   std::optional<std::string> bytes_of(const std::string& uri, const std::string& place);
-  std::optional<std::string_view> part_of_view(const GltfEntry& from, const std::string& place, std::uint64_t count, std::size_t element,
-                                               std::size_t stride);
+  std::optional<std::string_view> part_of_view(const GltfEntry& from, const std::string& place, std::uint64_t count,
+                                               std::size_t element, std::size_t stride);
   bool read_sparse(const GltfEntry& sparse, GltfAccessor& accessor);
 
   const base::Json& root_;

@@ -55,8 +55,9 @@ base::Result<base::Done> PlacedMeshes::add(const LocalMesh& mesh, const Transfor
   corners_ += mesh.corners.size();
   if (corners_ > most_corners || ++copies_ > most_copies) {
     const bool corners = corners_ > most_corners;
-    return base::Error{"", mesh.place, "found more than " + std::to_string(corners ? most_corners : most_copies) +
-                                           (corners ? " corners of faces, copies counted" : " copies of meshes"),
+    return base::Error{"", mesh.place,
+                       "found more than " + std::to_string(corners ? most_corners : most_copies) +
+                           (corners ? " corners of faces, copies counted" : " copies of meshes"),
                        "", "export fewer copies, or fewer faces"};
   }
   constexpr VertexIndex unknown = std::numeric_limits<VertexIndex>::max();
@@ -71,7 +72,8 @@ base::Result<base::Done> PlacedMeshes::add(const LocalMesh& mesh, const Transfor
       if (number[v] == unknown) {
         const std::array<double, 3> point = moved(transform, mesh.vertices[v]);
         if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
-          return base::Error{"", mesh.place + ", vertex " + std::to_string(v), "found a coordinate that is no finite number", "a number"};
+          return base::Error{"", mesh.place + ", vertex " + std::to_string(v), "found a coordinate that is no finite number",
+                             "a number"};
         number[v] = pool_.add(point);
       }
       face.outline[c] = number[v];

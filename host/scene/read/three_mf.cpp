@@ -8,8 +8,9 @@
 namespace sightline::scene {
 
 base::Result<PolyMesh> read_three_mf(std::string_view, std::string_view source) {
-  return base::Error{std::string(source), "", "found 3MF, which this program was built without", "STL, PLY, OFF, OBJ or JSON",
-                     "install libzip and pugixml (Debian: libzip-dev, libpugixml-dev) and build again, or export the mesh as STL, PLY or OBJ"};
+  return base::Error{
+      std::string(source), "", "found 3MF, which this program was built without", "STL, PLY, OFF, OBJ or JSON",
+      "install libzip and pugixml (Debian: libzip-dev, libpugixml-dev) and build again, or export the mesh as STL, PLY or OBJ"};
 }
 
 }  // namespace sightline::scene
@@ -144,10 +145,12 @@ class ThreeMfReader {
     }
     if (error_) return *error_;
     std::vector<std::string> notes;
-    for (const auto& [what, count] : left_out_) notes.push_back(std::to_string(count) + " " + (count == 1 ? what.first : what.second));
+    for (const auto& [what, count] : left_out_)
+      notes.push_back(std::to_string(count) + " " + (count == 1 ? what.first : what.second));
     auto mesh = meshes_.take();
     if (!mesh && !notes.empty())
-      return base::Error{"", parts_.front().name, "found nothing else than " + notes.front(), "an object to be printed, of type \"model\"", ""};
+      return base::Error{"", parts_.front().name, "found nothing else than " + notes.front(),
+                         "an object to be printed, of type \"model\"", ""};
     if (!mesh) return mesh;
     mesh->notes = std::move(notes);
     mesh->unit = parts_.front().unit->here;
@@ -336,7 +339,8 @@ class ThreeMfReader {
       }
       for (std::size_t a = 0; a < 3; ++a) {
         if (point[a]) continue;
-        fail(mesh.place + ", vertex " + std::to_string(mesh.vertices.size()), std::string("found no attribute ") + "xyz"[a], "x, y and z");
+        fail(mesh.place + ", vertex " + std::to_string(mesh.vertices.size()), std::string("found no attribute ") + "xyz"[a],
+             "x, y and z");
         return;
       }
       mesh.vertices.push_back({*point[0], *point[1], *point[2]});
@@ -365,8 +369,10 @@ class ThreeMfReader {
       const auto vertex = base::unsigned_number(text);
       if (!vertex || *vertex >= mesh.vertices.size()) {
         const std::size_t face = mesh.corners.size() / 3;
-        const std::string range = mesh.vertices.empty() ? "a mesh with vertices" : "0 to " + std::to_string(mesh.vertices.size() - 1);
-        fail(mesh.place + ", face " + std::to_string(face), "found vertex " + (vertex ? std::to_string(*vertex) : quoted_excerpt(text)), range);
+        const std::string range =
+            mesh.vertices.empty() ? "a mesh with vertices" : "0 to " + std::to_string(mesh.vertices.size() - 1);
+        fail(mesh.place + ", face " + std::to_string(face),
+             "found vertex " + (vertex ? std::to_string(*vertex) : quoted_excerpt(text)), range);
         return;
       }
       mesh.corners.push_back(static_cast<std::uint32_t>(*vertex));
@@ -424,13 +430,17 @@ class ThreeMfReader {
     return object.type != "support" && object.type != "solidsupport" && object.type != "other";
   }
 
+  bool fail_by_levels(const std::string& place) {
+    return fail(place, "found components in more than " + std::to_string(most_levels) + " levels", "fewer");
+  }
+
   // Loads what an object consists of, and counts its corners. False after an error: it contains itself, or what is not there.
   bool check(std::size_t index, std::size_t level) {
     const std::string place = objects_[index].mesh.place;
     if (objects_[index].state == Object::State::checked) return true;
     if (objects_[index].state == Object::State::being_checked)
       return fail(place, "found an object that contains itself", "components of other objects");
-    if (level > most_levels) return fail(place, "found components in more than " + std::to_string(most_levels) + " levels", "fewer");
+    if (level > most_levels) return fail_by_levels(place);
     objects_[index].state = Object::State::being_checked;
     if (!is_printed(objects_[index])) {
       const std::string type = " of type \"" + objects_[index].type + "\"";
@@ -442,12 +452,13 @@ class ThreeMfReader {
     std::size_t levels = 0;
     // Loading a part adds objects.
     for (std::size_t c = 0; c < objects_[index].components.size(); ++c) {
-      const auto part = object_of(objects_[index].components[c], objects_[index].part, place + ", component " + std::to_string(c + 1));
-      if (!part || !check(*part, level + 1)) return false;
-      corners = std::min(corners + objects_[*part].corners, most_corners + 1);
-      levels = std::max(levels, objects_[*part].levels + 1);
+      const auto inner =
+          object_of(objects_[index].components[c], objects_[index].part, place + ", component " + std::to_string(c + 1));
+      if (!inner || !check(*inner, level + 1)) return false;
+      corners = std::min(corners + objects_[*inner].corners, most_corners + 1);
+      levels = std::max(levels, objects_[*inner].levels + 1);
     }
-    if (levels > most_levels) return fail(place, "found components in more than " + std::to_string(most_levels) + " levels", "fewer");
+    if (levels > most_levels) return fail_by_levels(place);
     objects_[index].corners = corners;
     objects_[index].levels = levels;
     objects_[index].state = Object::State::checked;
@@ -459,8 +470,8 @@ class ThreeMfReader {
     if (!object || !check(*object, 0)) return;
     built_corners_ += objects_[*object].corners;
     if (built_corners_ > most_corners) {
-      fail(objects_[*object].mesh.place, "found more than " + std::to_string(most_corners) + " corners of faces, copies counted", "",
-           "export fewer copies, or fewer faces");
+      fail(objects_[*object].mesh.place, "found more than " + std::to_string(most_corners) + " corners of faces, copies counted",
+           "", "export fewer copies, or fewer faces");
       return;
     }
     place_copy(*object, scaled(item.transform, 0, objects_[*object].part), "");
@@ -486,7 +497,9 @@ class ThreeMfReader {
     }
     for (const Component& component : object.components) {
       const auto inner = object_of(component, object.part, object.mesh.place);
-      if (inner) place_copy(*inner, product(transform, scaled(component.transform, object.part, objects_[*inner].part)), object.has_name ? object.name : name);
+      if (inner)
+        place_copy(*inner, product(transform, scaled(component.transform, object.part, objects_[*inner].part)),
+                   object.has_name ? object.name : name);
     }
   }
 

@@ -17,9 +17,11 @@ constexpr std::uint64_t small = 1 << 20;   // bytes
 // What the error codes of libzip mean that an archive in memory can cause.
 base::Error error_of(const zip_error_t& error, std::string place) {
   switch (error.zip_err) {
-    case ZIP_ER_COMPNOTSUPP: return {"", std::move(place), "found an unknown compression method", "stored or deflated", "save it again"};
+    case ZIP_ER_COMPNOTSUPP:
+      return {"", std::move(place), "found an unknown compression method", "stored or deflated", "save it again"};
     case ZIP_ER_ENCRNOTSUPP:
-    case ZIP_ER_NOPASSWD: return {"", std::move(place), "found an encrypted file", "one without a password", "export it without a password"};
+    case ZIP_ER_NOPASSWD:
+      return {"", std::move(place), "found an encrypted file", "one without a password", "export it without a password"};
     case ZIP_ER_MULTIDISK: return {"", std::move(place), "found one volume of several", "a whole archive", "export it again"};
     case ZIP_ER_CRC: return {"", std::move(place), "found other contents than the checksum says", "", export_again};
     case ZIP_ER_MEMORY: return {"", std::move(place), "found sizes that need more memory than there is", "", export_again};
@@ -66,14 +68,15 @@ base::Result<std::string> ZipArchive::read(std::size_t entry, std::uint64_t most
   zip_stat_t said;
   if (::zip_stat_index(archive_.get(), entry, 0, &said) != 0) return error_of(*::zip_get_error(archive_.get()), place);
   if (said.size > most)
-    return base::Error{"", place, "found " + std::to_string(said.size) + " bytes", "at most " + std::to_string(most) + " bytes of models",
-                       "export fewer parts, or as binary STL"};
+    return base::Error{"", place, "found " + std::to_string(said.size) + " bytes",
+                       "at most " + std::to_string(most) + " bytes of models", "export fewer parts, or as binary STL"};
   if (said.comp_size > bytes_)
-    return base::Error{"", place, "found " + std::to_string(said.comp_size) + " bytes", "at most the " + std::to_string(bytes_) + " of the archive",
-                       export_again};
+    return base::Error{"", place, "found " + std::to_string(said.comp_size) + " bytes",
+                       "at most the " + std::to_string(bytes_) + " of the archive", export_again};
   if (said.size > small && said.size / most_ratio > said.comp_size)
     return base::Error{"", place, "found " + std::to_string(said.size) + " bytes compressed to " + std::to_string(said.comp_size),
-                       "at most " + std::to_string(most_ratio) + " to 1", "such a file is made to fill memory; save it with less compression"};
+                       "at most " + std::to_string(most_ratio) + " to 1",
+                       "such a file is made to fill memory; save it with less compression"};
   zip_file_t* const file = ::zip_fopen_index(archive_.get(), entry, 0);
   if (file == nullptr) return error_of(*::zip_get_error(archive_.get()), place);
   // One byte more than the directory says, which brings the check of the contents.

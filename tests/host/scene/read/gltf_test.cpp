@@ -59,12 +59,11 @@ std::string gltf(const std::string& nodes, const std::string& buffer, const std:
          R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,1]},)"
          R"({"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}],"bufferViews":[)"
          R"({"buffer":0,"byteOffset":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":24}],)"
-         R"("buffers":[{"byteLength":72)" + buffer + "}]" + more + "}";
+         R"("buffers":[{"byteLength":72)" +
+         buffer + "}]" + more + "}";
 }
 
-std::string inside(const std::string& bytes) {
-  return R"(,"uri":"data:application/octet-stream;base64,)" + base64(bytes) + "\"";
-}
+std::string inside(const std::string& bytes) { return R"(,"uri":"data:application/octet-stream;base64,)" + base64(bytes) + "\""; }
 
 std::string glb() {
   std::string json = gltf(two_nodes, "");
@@ -109,8 +108,7 @@ std::string error_of(const std::string& bytes) {
 
 TEST(Gltf, GltfAppliesTheTransformsOfItsNodes) {
   for (const bool binary : {false, true}) {
-    const auto mesh = binary ? read_glb(glb(), "a", "")
-                             : read_gltf(gltf(two_nodes, inside(tetrahedron_buffer())), "a", "");
+    const auto mesh = binary ? read_glb(glb(), "a", "") : read_gltf(gltf(two_nodes, inside(tetrahedron_buffer())), "a", "");
     ASSERT_TRUE(mesh) << mesh.error().message();
     ASSERT_EQ(mesh->bodies.size(), 2U);
     EXPECT_TRUE(mesh->grouped);
@@ -181,9 +179,8 @@ TEST(Gltf, DamageIsNamed) {
   EXPECT_TRUE(has(error_of("{\"asset\": {\"version\": }"), "line 1"));
   EXPECT_TRUE(has(error_of(gltf(two_nodes, inside(tetrahedron_buffer()), R"(,"extensionsRequired":["EXT_meshopt_compression"])")),
                   "extensionsRequired: found \"EXT_meshopt_compression\""));
-  EXPECT_TRUE(
-      has(error_of(gltf(two_nodes, inside(tetrahedron_buffer(std::numeric_limits<float>::quiet_NaN())))),
-          "vertex 0: found a coordinate that is no finite number"));
+  EXPECT_TRUE(has(error_of(gltf(two_nodes, inside(tetrahedron_buffer(std::numeric_limits<float>::quiet_NaN())))),
+                  "vertex 0: found a coordinate that is no finite number"));
 }
 
 // --- one primitive of any kind
@@ -192,8 +189,8 @@ TEST(Gltf, DamageIsNamed) {
 std::string one_primitive(const std::string& primitive, const std::string& accessors, const std::string& bytes,
                           const std::string& views = "", const std::string& node = "\"mesh\":0") {
   const std::string size = std::to_string(bytes.size());
-  return R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{)" + node + R"(}],"meshes":[{"primitives":[)" + primitive +
-         R"(]}],"accessors":[)" + accessors + R"(],"bufferViews":[{"buffer":0,"byteLength":)" + size + "}" + views +
+  return R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{)" + node + R"(}],"meshes":[{"primitives":[)" +
+         primitive + R"(]}],"accessors":[)" + accessors + R"(],"bufferViews":[{"buffer":0,"byteLength":)" + size + "}" + views +
          R"(],"buffers":[{"byteLength":)" + size + inside(bytes) + "}]}";
 }
 
@@ -230,14 +227,17 @@ TEST(Gltf, TrianglesStripsAndFans) {
   const std::array<double, 3> d{1, 1, 0};
   const std::array<double, 3> e{0, 2, 0};
   using Triangles = std::set<std::array<std::array<double, 3>, 3>>;
-  const auto with = [](const std::string& more) { return one_primitive(R"({"attributes":{"POSITION":0})" + more + "}", five_positions, zigzag); };
+  const auto with = [](const std::string& more) {
+    return one_primitive(R"({"attributes":{"POSITION":0})" + more + "}", five_positions, zigzag);
+  };
   EXPECT_EQ(triangles_of(with("")), (Triangles{{a, b, c}}));
   EXPECT_EQ(triangles_of(with(R"(,"mode":5)")), (Triangles{{a, b, c}, {c, b, d}, {c, d, e}}));  // 3.7.2.1, figure of the modes
   EXPECT_EQ(triangles_of(with(R"(,"mode":6)")), (Triangles{{a, b, c}, {a, c, d}, {a, d, e}}));
   // Two strips that are joined by degenerate triangles, with indices of one byte.
   const std::string indexed = zigzag + std::string("\0\1\2\2\3\3\4\1", 8);
-  EXPECT_EQ(triangles_of(one_primitive(R"({"attributes":{"POSITION":0},"indices":1,"mode":5})",
-                                       five_positions + R"(,{"bufferView":0,"byteOffset":60,"componentType":5121,"count":8,"type":"SCALAR"})", indexed)),
+  EXPECT_EQ(triangles_of(one_primitive(
+                R"({"attributes":{"POSITION":0},"indices":1,"mode":5})",
+                five_positions + R"(,{"bufferView":0,"byteOffset":60,"componentType":5121,"count":8,"type":"SCALAR"})", indexed)),
             (Triangles{{a, b, c}, {e, d, b}}));
 }
 
@@ -249,8 +249,8 @@ TEST(Gltf, WholeNumbersOfEachSizeAndStride) {
   }
   const auto read = [&](const std::string& more) {
     const auto mesh = read_gltf(one_primitive(R"({"attributes":{"POSITION":0}})",
-                                              R"({"bufferView":1,"componentType":5122,"count":3,"type":"VEC3")" + more + "}", bytes,
-                                              R"(,{"buffer":0,"byteLength":24,"byteStride":8})"),
+                                              R"({"bufferView":1,"componentType":5122,"count":3,"type":"VEC3")" + more + "}",
+                                              bytes, R"(,{"buffer":0,"byteLength":24,"byteStride":8})"),
                                 "a", "");
     return mesh ? mesh->vertices : std::vector<std::array<double, 3>>();
   };
@@ -264,28 +264,36 @@ TEST(Gltf, SparseElementsReplaceOthersOrZeros) {
   put(bytes, 1, 2);
   put(bytes, 2, 2);
   bytes += floats({5, 6, 7, 8, 9, 10});
-  const std::string sparse = R"(,"sparse":{"count":2,"indices":{"bufferView":0,"byteOffset":60,"componentType":5123},"values":{"bufferView":0,"byteOffset":64}}})";
+  const std::string sparse =
+      R"(,"sparse":{"count":2,"indices":{"bufferView":0,"byteOffset":60,"componentType":5123},"values":{"bufferView":0,"byteOffset":64}}})";
   const std::string primitive = R"({"attributes":{"POSITION":0}})";
   using Triangles = std::set<std::array<std::array<double, 3>, 3>>;
   const std::array<double, 3> a{0, 0, 0};
   const std::array<double, 3> b{5, 6, 7};
   const std::array<double, 3> c{8, 9, 10};
-  EXPECT_EQ(triangles_of(one_primitive(primitive, R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3")" + sparse, bytes)), (Triangles{{a, b, c}}));
-  EXPECT_EQ(triangles_of(one_primitive(primitive, R"({"componentType":5126,"count":3,"type":"VEC3")" + sparse, bytes)), (Triangles{{a, b, c}}));
+  EXPECT_EQ(
+      triangles_of(one_primitive(primitive, R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3")" + sparse, bytes)),
+      (Triangles{{a, b, c}}));
+  EXPECT_EQ(triangles_of(one_primitive(primitive, R"({"componentType":5126,"count":3,"type":"VEC3")" + sparse, bytes)),
+            (Triangles{{a, b, c}}));
   std::string descending = bytes;
   std::swap(descending[60], descending[62]);
-  const std::string error = error_of(one_primitive(primitive, R"({"componentType":5126,"count":3,"type":"VEC3")" + sparse, descending));
-  EXPECT_NE(error.find("accessors[0].sparse.indices: found 1 at 1, expected ascending numbers below 3"), std::string::npos) << error;
+  const std::string error =
+      error_of(one_primitive(primitive, R"({"componentType":5126,"count":3,"type":"VEC3")" + sparse, descending));
+  EXPECT_NE(error.find("accessors[0].sparse.indices: found 1 at 1, expected ascending numbers below 3"), std::string::npos)
+      << error;
 }
 
 // Entries by name, several meshes in a node, the stride in the accessor.
 TEST(Gltf, VersionOne) {
-  const std::string text = R"({"asset":{"version":"1.0"},"scene":"s","scenes":{"s":{"nodes":["n"]}},"nodes":{"n":{"children":["m"],)"
-                           R"("translation":[10,0,0]},"m":{"meshes":["one","one"],"name":"both"}},"meshes":{"one":{"primitives":[{"attributes":)"
-                           R"({"POSITION":"p"},"indices":"i"}]}},"accessors":{"p":{"bufferView":"v","byteStride":12,"componentType":5126,"count":4,)"
-                           R"("type":"VEC3"},"i":{"bufferView":"w","byteStride":0,"componentType":5123,"count":12,"type":"SCALAR"}},"bufferViews":)"
-                           R"({"v":{"buffer":"b","byteOffset":0,"byteLength":48},"w":{"buffer":"b","byteOffset":48,"byteLength":24}},"buffers":{"b":)"
-                           R"({"byteLength":72)" + inside(tetrahedron_buffer()) + "}}}";
+  const std::string text =
+      R"({"asset":{"version":"1.0"},"scene":"s","scenes":{"s":{"nodes":["n"]}},"nodes":{"n":{"children":["m"],)"
+      R"("translation":[10,0,0]},"m":{"meshes":["one","one"],"name":"both"}},"meshes":{"one":{"primitives":[{"attributes":)"
+      R"({"POSITION":"p"},"indices":"i"}]}},"accessors":{"p":{"bufferView":"v","byteStride":12,"componentType":5126,"count":4,)"
+      R"("type":"VEC3"},"i":{"bufferView":"w","byteStride":0,"componentType":5123,"count":12,"type":"SCALAR"}},"bufferViews":)"
+      R"({"v":{"buffer":"b","byteOffset":0,"byteLength":48},"w":{"buffer":"b","byteOffset":48,"byteLength":24}},"buffers":{"b":)"
+      R"({"byteLength":72)" +
+      inside(tetrahedron_buffer()) + "}}}";
   const auto mesh = read_gltf(text, "a", "");
   ASSERT_TRUE(mesh) << mesh.error().message();
   ASSERT_EQ(mesh->bodies.size(), 1U);
@@ -296,14 +304,17 @@ TEST(Gltf, VersionOne) {
 
 // The tetrahedron, written by libdraco's own encoder with 11 bits: by edgebreaker, and as a sequence.
 TEST(Gltf, DracoCompression) {
-  constexpr std::array compressed{"RFJBQ08CAgEBAAAABAQAAwAAAS8BARAB/wAAAQAJAwAAAgEBAQADAwEQATADAFCCJJEEAAAAAP8HAAAAAAAAAAAAAAAAAAAAAIA/Cw==",
-                                  "RFJBQ08CAgEAAAAEBAEAAQIAAgMAAwECAQMBAQAJAwAAAgABAQADAwEgASADACCEUCIBAAAAAP8HAAAAAAAAAAAAAAAAAAAAAIA/Cw=="};
+  constexpr std::array compressed{
+      "RFJBQ08CAgEBAAAABAQAAwAAAS8BARAB/wAAAQAJAwAAAgEBAQADAwEQATADAFCCJJEEAAAAAP8HAAAAAAAAAAAAAAAAAAAAAIA/Cw==",
+      "RFJBQ08CAgEAAAAEBAEAAQIAAgMAAwECAQMBAQAJAwAAAgABAQADAwEgASADACCEUCIBAAAAAP8HAAAAAAAAAAAAAAAAAAAAAIA/Cw=="};
   for (const std::string text : compressed) {
     const auto file = [](const std::string& data, const std::string& id) {
       return R"({"asset":{"version":"2.0"},"extensionsRequired":["KHR_draco_mesh_compression"],"nodes":[{"mesh":0}],"meshes":[{"primitives":[)"
              R"({"attributes":{"POSITION":0},"indices":1,"extensions":{"KHR_draco_mesh_compression":{"bufferView":0,"attributes":{"POSITION":)" +
-             id + R"(}}}}]}],"accessors":[{"componentType":5126,"count":4,"type":"VEC3"},{"componentType":5123,"count":12,"type":"SCALAR"}],)"
-             R"("bufferViews":[{"buffer":0,"byteLength":76}],"buffers":[{"byteLength":76,"uri":"data:;base64,)" + data + "\"}]}";
+             id +
+             R"(}}}}]}],"accessors":[{"componentType":5126,"count":4,"type":"VEC3"},{"componentType":5123,"count":12,"type":"SCALAR"}],)"
+             R"("bufferViews":[{"buffer":0,"byteLength":76}],"buffers":[{"byteLength":76,"uri":"data:;base64,)" +
+             data + "\"}]}";
     };
     const auto mesh = read_gltf(file(text, "0"), "a", "");
     if (!mesh && mesh.error().found.find("built without") != std::string::npos) GTEST_SKIP() << mesh.error().message();
@@ -311,21 +322,27 @@ TEST(Gltf, DracoCompression) {
     EXPECT_EQ(points_of(*mesh, mesh->bodies[0]), (Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
     EXPECT_EQ(volume(*mesh, mesh->bodies[0]), 1);
     const std::string place = "meshes[0].primitives[0].extensions.KHR_draco_mesh_compression: found ";
-    EXPECT_NE(error_of(file(text, "7")).find(place + "no positions with the id 7"), std::string::npos) << error_of(file(text, "7"));
+    EXPECT_NE(error_of(file(text, "7")).find(place + "no positions with the id 7"), std::string::npos)
+        << error_of(file(text, "7"));
     const std::string other = "AAAA" + text.substr(4);
     EXPECT_NE(error_of(file(other, "0")).find(place + "no header of Draco"), std::string::npos) << error_of(file(other, "0"));
     // The number of faces is byte 13 or 11: a number of five bytes there is far more than 76 bytes can hold.
     const bool edgebreaker = text == compressed[0];
     const std::string header = edgebreaker ? std::string("DRACO\2\2\1\1\0\0\0\4", 13) : std::string("DRACO\2\2\1\0\0\0", 11);
     const std::string lie = header + "\xff\xff\xff\x7f" + std::string(76 - header.size() - 4, '\1');
-    EXPECT_NE(error_of(file(base64(lie), "0")).find(place + "268435455 faces in 76 bytes"), std::string::npos) << error_of(file(base64(lie), "0"));
+    EXPECT_NE(error_of(file(base64(lie), "0")).find(place + "268435455 faces in 76 bytes"), std::string::npos)
+        << error_of(file(base64(lie), "0"));
   }
 }
 
 TEST(Gltf, DamageOfEachKindHasAPlace) {
   const std::string position = R"({"attributes":{"POSITION":0}})";
-  const auto accessor = [&](const std::string& members) { return error_of(one_primitive(position, "{" + members + "}", zigzag)); };
-  const auto node = [&](const std::string& members) { return error_of(one_primitive(position, five_positions, zigzag, "", members)); };
+  const auto accessor = [&](const std::string& members) {
+    return error_of(one_primitive(position, "{" + members + "}", zigzag));
+  };
+  const auto node = [&](const std::string& members) {
+    return error_of(one_primitive(position, five_positions, zigzag, "", members));
+  };
   struct Damage {
     std::string error;
     std::string part;
@@ -338,28 +355,37 @@ TEST(Gltf, DamageOfEachKindHasAPlace) {
     return error_of(text);
   };
   const std::vector<Damage> damages{
-      {accessor(good + R"("count":6)"), "accessors[0].count: found 6 elements of 12 bytes, expected at most the 60 bytes that bufferViews[0] has left"},
-      {accessor(good + R"("count":4294967296)"), "accessors[0].count: found 4294967296, expected a whole number up to 4294967295"},
+      {accessor(good + R"("count":6)"),
+       "accessors[0].count: found 6 elements of 12 bytes, expected at most the 60 bytes that bufferViews[0] has left"},
+      {accessor(good + R"("count":4294967296)"),
+       "accessors[0].count: found 4294967296, expected a whole number up to 4294967295"},
       {accessor(good + R"("count":-1)"), "accessors[0].count: found -1"},
       {accessor(good + R"("count":1.5)"), "accessors[0].count: found 1.5"},
       {accessor(good + R"("count":"5")"), "accessors[0].count: found a string"},
       {accessor(good + R"("count":1,"byteOffset":61)"), "accessors[0].byteOffset: found 61, expected a whole number up to 60"},
       {accessor(good + R"("count":4294967295)"), "accessors[0].count: found 4294967295 elements of 12 bytes"},
-      {accessor(R"("componentType":5126,"type":"VEC3","count":4000000000)"), "accessors[0].count: found 4000000000, expected at most 10000000 without"},
+      {accessor(R"("componentType":5126,"type":"VEC3","count":4000000000)"),
+       "accessors[0].count: found 4000000000, expected at most 10000000 without"},
       {accessor(R"("bufferView":0,"componentType":5130,"type":"VEC3","count":5)"), "accessors[0].componentType: found 5130"},
       {accessor(R"("bufferView":0,"componentType":5126,"type":"MAT4","count":1)"), "accessors[0].type: found a string"},
-      {accessor(R"("bufferView":0,"componentType":5126,"type":"VEC2","count":5)"), "accessors[0].type: found positions of 2 numbers"},
-      {accessor(R"("bufferView":3,"componentType":5126,"type":"VEC3","count":5)"), "accessors[0].bufferView: found 3, expected the number of one of the 1 bufferViews"},
+      {accessor(R"("bufferView":0,"componentType":5126,"type":"VEC2","count":5)"),
+       "accessors[0].type: found positions of 2 numbers"},
+      {accessor(R"("bufferView":3,"componentType":5126,"type":"VEC3","count":5)"),
+       "accessors[0].bufferView: found 3, expected the number of one of the 1 bufferViews"},
       {node(R"("mesh":1)"), "nodes[0].mesh: found 1, expected the number of one of the 1 meshes, from 0"},
       {node(R"("mesh":0,"children":[0])"), "nodes[0]: found a node that is its own descendant"},
       {node(R"("mesh":0,"children":[7])"), "nodes[0].children[0]: found 7"},
       {node(R"("mesh":0,"children":7)"), "nodes[0].children: found 7, expected an array"},
       {node(R"("mesh":0,"matrix":[1,2])"), "nodes[0].matrix: found an array of 2, expected an array of 16"},
       {node(R"("mesh":0,"scale":[1,"a",1])"), "nodes[0].scale[1]: found a string, expected a number"},
-      {node(R"("mesh":0,"scale":[1e308,1e308,1e308],"translation":[0,1e308,0])"), "meshes[0].primitives[0], vertex 2: found a coordinate that is no finite number"},
-      {replaced(R"("byteLength":72)", R"("byteLength":73)"), "buffers[0].byteLength: found 73, expected at most the 72 bytes that are there"},
-      {replaced(R"("byteLength":24)", R"("byteLength":25)"), "bufferViews[1].byteLength: found 25, expected a whole number up to 24"},
-      {replaced(R"("byteLength":48)", R"("byteLength":48,"byteStride":8)"), "bufferViews[0].byteStride: found 8, expected at least the 12 bytes"},
+      {node(R"("mesh":0,"scale":[1e308,1e308,1e308],"translation":[0,1e308,0])"),
+       "meshes[0].primitives[0], vertex 2: found a coordinate that is no finite number"},
+      {replaced(R"("byteLength":72)", R"("byteLength":73)"),
+       "buffers[0].byteLength: found 73, expected at most the 72 bytes that are there"},
+      {replaced(R"("byteLength":24)", R"("byteLength":25)"),
+       "bufferViews[1].byteLength: found 25, expected a whole number up to 24"},
+      {replaced(R"("byteLength":48)", R"("byteLength":48,"byteStride":8)"),
+       "bufferViews[0].byteStride: found 8, expected at least the 12 bytes"},
       {replaced(";base64,A", ";base64,*"), "buffers[0].uri: found a character that is none of base64"},
       {replaced(R"("uri":)", R"("name":)"), "buffers[0].uri: found none"},
       {replaced(R"("primitives":[)", R"("primitives":7,"other":[)"), "meshes[0].primitives: found 7"},
@@ -368,16 +394,19 @@ TEST(Gltf, DamageOfEachKindHasAPlace) {
       {error_of(R"({"asset":)" + std::string(1'000'000, '[')), "line 1, column"},
   };
   for (std::size_t i = 0; i < damages.size(); ++i)
-    EXPECT_NE(damages[i].error.find(damages[i].part), std::string::npos) << i << ": " << damages[i].error << "\nwithout: " << damages[i].part;
+    EXPECT_NE(damages[i].error.find(damages[i].part), std::string::npos)
+        << i << ": " << damages[i].error << "\nwithout: " << damages[i].part;
 }
 
 TEST(Gltf, FacesWithoutTheirVerticesAreLeftOut) {
-  const std::string accessors = five_positions + R"(,{"bufferView":0,"byteOffset":60,"componentType":5121,"count":7,"type":"SCALAR"})";
+  const std::string accessors =
+      five_positions + R"(,{"bufferView":0,"byteOffset":60,"componentType":5121,"count":7,"type":"SCALAR"})";
   const std::string primitive = R"({"attributes":{"POSITION":0},"indices":1})";
   const auto mesh = read_gltf(one_primitive(primitive, accessors, zigzag + std::string("\0\1\2\0\1\5\0\0", 8)), "a", "");
   ASSERT_TRUE(mesh) << mesh.error().message();
   EXPECT_EQ(mesh->bodies[0].faces.size(), 1U);
-  EXPECT_EQ(mesh->notes, (std::vector<std::string>{"1 vertex beyond the last whole triangle", "1 face with a vertex that is not there"}));
+  EXPECT_EQ(mesh->notes,
+            (std::vector<std::string>{"1 vertex beyond the last whole triangle", "1 face with a vertex that is not there"}));
   const std::string none = error_of(one_primitive(primitive, accessors, zigzag + std::string("\5\1\2\0\1\5\0\0", 8)));
   EXPECT_NE(none.find("meshes[0].primitives[0].indices: found no face whose vertices are all there"), std::string::npos) << none;
 }
@@ -385,8 +414,10 @@ TEST(Gltf, FacesWithoutTheirVerticesAreLeftOut) {
 // A small file cannot ask for much memory or time: 27 million corners of each primitive, all of them 0.
 TEST(Gltf, ManyCornersAreRefused) {
   const std::string strip = R"({"attributes":{"POSITION":0},"mode":5,"indices":1})";
-  const std::string text = R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":[)" + strip + "," + strip + "," + strip + "," + strip +
-                           R"(]}],"accessors":[{"componentType":5126,"count":3,"type":"VEC3"},{"componentType":5123,"count":9000000,"type":"SCALAR"}]})";
+  const std::string text =
+      R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":[)" + strip + "," + strip + "," + strip + "," +
+      strip +
+      R"(]}],"accessors":[{"componentType":5126,"count":3,"type":"VEC3"},{"componentType":5123,"count":9000000,"type":"SCALAR"}]})";
   const std::string error = error_of(text);
   EXPECT_NE(error.find("meshes[0].primitives[3]: found more than 100000000 corners of faces"), std::string::npos) << error;
 }

@@ -22,7 +22,7 @@ void put(std::string& bytes, std::uint64_t number, int count) {
   for (int i = 0; i < count; ++i) bytes += i < 8 ? static_cast<char>(number >> (8 * i)) : '\0';
 }
 
-#define NEEDS_THREE_MF()                                                                                    \
+#define NEEDS_THREE_MF()                                                                                            \
   if (const auto nothing = read_three_mf("", ""); nothing.error().found.find("built without") != std::string::npos) \
   GTEST_SKIP() << nothing.error().message()
 
@@ -131,11 +131,12 @@ const std::string production = " xmlns:p=\"http://schemas.microsoft.com/3dmanufa
 std::string tetrahedron(const std::string& last = "3", const std::string& p = "") {
   std::string mesh = "<" + p + "mesh><" + p + "vertices>";
   for (const auto& c : corners)
-    mesh += "<" + p + "vertex x=\"" + std::to_string(c[0]) + "\" y=\"" + std::to_string(c[1]) + "\" z=\"" + std::to_string(c[2]) + "\"/>";
+    mesh += "<" + p + "vertex x=\"" + std::to_string(c[0]) + "\" y=\"" + std::to_string(c[1]) + "\" z=\"" + std::to_string(c[2]) +
+            "\"/>";
   mesh += "</" + p + "vertices><" + p + "triangles>";
   for (std::size_t t = 0; t < triangles.size(); t += 3) {
-    mesh += "<" + p + "triangle v1=\"" + std::to_string(triangles[t]) + "\" v2=\"" + std::to_string(triangles[t + 1]) + "\" v3=\"" +
-            (t == 9 ? last : std::to_string(triangles[t + 2])) + "\"/>";
+    mesh += "<" + p + "triangle v1=\"" + std::to_string(triangles[t]) + "\" v2=\"" + std::to_string(triangles[t + 1]) +
+            "\" v3=\"" + (t == 9 ? last : std::to_string(triangles[t + 2])) + "\"/>";
   }
   return mesh + "</" + p + "triangles></" + p + "mesh>";
 }
@@ -145,7 +146,8 @@ std::string object(const std::string& id, const std::string& contents, const std
 }
 
 std::string model(const std::string& objects, const std::string& build, const std::string& attributes = core) {
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model" + attributes + "><resources>" + objects + "</resources><build>" + build + "</build></model>";
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model" + attributes + "><resources>" + objects + "</resources><build>" +
+         build + "</build></model>";
 }
 
 std::vector<PackedFile> package(const std::string& text) {
@@ -158,10 +160,11 @@ std::vector<PackedFile> package(const std::string& text) {
 }
 
 std::string threemf(const std::string& build, const std::string& attributes = "unit=\"inch\"", const std::string& last = "3") {
-  return zip(package(model(object("1", tetrahedron(last)) +
-                               object("2", "<components><component objectid=\"1\"/>"
-                                           "<component objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 5 0 0\"/></components>"),
-                           build, " " + attributes + core)));
+  return zip(package(model(
+      object("1", tetrahedron(last)) + object("2",
+                                              "<components><component objectid=\"1\"/>"
+                                              "<component objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 5 0 0\"/></components>"),
+      build, " " + attributes + core)));
 }
 
 const std::string quarter_turn = "<item objectid=\"1\" transform=\"0 1 0 -1 0 0 0 0 1 10 20 30\"/>";
@@ -193,7 +196,8 @@ std::string error_of(const std::string& bytes) {
 }
 
 testing::AssertionResult has(const std::string& message, const std::string& part) {
-  return message.find(part) != std::string::npos ? testing::AssertionSuccess() : testing::AssertionFailure() << message << "\nwithout: " << part;
+  return message.find(part) != std::string::npos ? testing::AssertionSuccess()
+                                                 : testing::AssertionFailure() << message << "\nwithout: " << part;
 }
 
 TEST(ThreeMf, BuildsItsItems) {
@@ -229,9 +233,12 @@ TEST(ThreeMf, ArchivesOfEachKind) {
 
 TEST(ThreeMf, PrefixedNamesAndOtherNamespaces) {
   NEEDS_THREE_MF();
-  const std::string text = "<x:model xmlns:x=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" xmlns:y=\"http://example.com/\"><x:metadata "
-                           "name=\"a\">b</x:metadata><y:build><y:item objectid=\"9\"/></y:build><x:resources><y:object id=\"1\"/><x:object id=\"1\">" +
-                           tetrahedron("3", "x:") + "</x:object></x:resources><x:build><y:item objectid=\"9\"/><x:item objectid=\"1\"/></x:build></x:model>";
+  const std::string text =
+      "<x:model xmlns:x=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
+      "xmlns:y=\"http://example.com/\"><x:metadata "
+      "name=\"a\">b</x:metadata><y:build><y:item objectid=\"9\"/></y:build><x:resources><y:object id=\"1\"/><x:object id=\"1\">" +
+      tetrahedron("3", "x:") +
+      "</x:object></x:resources><x:build><y:item objectid=\"9\"/><x:item objectid=\"1\"/></x:build></x:model>";
   EXPECT_EQ(bodies_of(zip(package(text))), std::vector<Points>{unit_points});
 }
 
@@ -241,9 +248,10 @@ TEST(ThreeMf, ComponentsOfComponentsAndNames) {
     return "<components><component objectid=\"" + id + "\" transform=\"" + by + "\"/></components>";
   };
   // Scaled by 2 about 0, then moved by 1 along x, then a quarter turn about z.
-  const std::string text = model(object("1", tetrahedron()) + object("2", moved("1", "2 0 0 0 2 0 0 0 2 0 0 0"), "name=\"bracket &amp; pin\"") +
-                                     object("3", moved("2", "1 0 0 0 1 0 0 0 1 1 0 0"), "name=\"outer\""),
-                                 "<item objectid=\"3\" transform=\"0 1 0 -1 0 0 0 0 1 0 0 0\"/>");
+  const std::string text =
+      model(object("1", tetrahedron()) + object("2", moved("1", "2 0 0 0 2 0 0 0 2 0 0 0"), "name=\"bracket &amp; pin\"") +
+                object("3", moved("2", "1 0 0 0 1 0 0 0 1 1 0 0"), "name=\"outer\""),
+            "<item objectid=\"3\" transform=\"0 1 0 -1 0 0 0 0 1 0 0 0\"/>");
   const auto mesh = read_three_mf(zip(package(text)), "a");
   ASSERT_TRUE(mesh) << mesh.error().message();
   ASSERT_EQ(mesh->bodies.size(), 1U);
@@ -254,31 +262,44 @@ TEST(ThreeMf, ComponentsOfComponentsAndNames) {
 // As slicers write them: each object in a part of its own. Here one has another unit.
 TEST(ThreeMf, ProductionParts) {
   NEEDS_THREE_MF();
-  auto files = package(model(object("2", "<components><component p:path=\"/3D/Objects/a.model\" objectid=\"1\"/><component "
-                                         "p:path=\"/3D/Objects/b.model\" objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 7 0 0\"/></components>"),
-                             "<item objectid=\"2\"/><item objectid=\"1\" p:path=\"/3D/Objects/a.model\" transform=\"1 0 0 0 1 0 0 0 1 0 0 9\"/>",
-                             core + production + " requiredextensions=\"p\""));
+  auto files = package(
+      model(object("2",
+                   "<components><component p:path=\"/3D/Objects/a.model\" objectid=\"1\"/><component "
+                   "p:path=\"/3D/Objects/b.model\" objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 7 0 0\"/></components>"),
+            "<item objectid=\"2\"/><item objectid=\"1\" p:path=\"/3D/Objects/a.model\" transform=\"1 0 0 0 1 0 0 0 1 0 0 9\"/>",
+            core + production + " requiredextensions=\"p\""));
   files.push_back({"3D/Objects/a.model", model(object("1", tetrahedron()), "<item objectid=\"1\"/>", core + production)});
   files.push_back({"3D/Objects/b.model", model(object("1", tetrahedron()), "", core + " unit=\"centimeter\"")});
-  EXPECT_EQ(bodies_of(zip(files)), (std::vector<Points>{unit_points, {{7, 0, 0}, {17, 0, 0}, {7, 10, 0}, {7, 0, 10}}, {{0, 0, 9}, {1, 0, 9}, {0, 1, 9}, {0, 0, 10}}}));
+  EXPECT_EQ(bodies_of(zip(files)),
+            (std::vector<Points>{
+                unit_points, {{7, 0, 0}, {17, 0, 0}, {7, 10, 0}, {7, 0, 10}}, {{0, 0, 9}, {1, 0, 9}, {0, 1, 9}, {0, 0, 10}}}));
   files.pop_back();
-  EXPECT_TRUE(has(error_of(zip(files)), "a: 3D/3dmodel.model, object 2, component 2: found the part \"/3D/Objects/b.model\", expected the name of a part"));
+  EXPECT_TRUE(
+      has(error_of(zip(files)),
+          "a: 3D/3dmodel.model, object 2, component 2: found the part \"/3D/Objects/b.model\", expected the name of a part"));
   files.pop_back();
   files.push_back({"3D/Objects/a.model", model(object("5", tetrahedron()), "", core)});
-  EXPECT_TRUE(has(error_of(zip(files)), "3D/3dmodel.model, object 2, component 1: found the object \"1\", expected the id of an object of 3D/Objects/a.model"));
+  EXPECT_TRUE(
+      has(error_of(zip(files)),
+          "3D/3dmodel.model, object 2, component 1: found the object \"1\", expected the id of an object of 3D/Objects/a.model"));
 }
 
 TEST(ThreeMf, WhatIsNotPrintedIsLeftOut) {
   NEEDS_THREE_MF();
-  const std::string objects = object("1", tetrahedron()) + object("2", tetrahedron(), "type=\"support\"") + object("3", tetrahedron(), "type=\"other\"") +
-                              object("4", tetrahedron(), "type=\"surface\"") + object("5", "<components><component objectid=\"1\"/><component objectid=\"3\"/></components>");
-  const auto mesh = read_three_mf(zip(package(model(objects, "<item objectid=\"5\"/><item objectid=\"2\"/><item objectid=\"4\"/>"
-                                                             "<item objectid=\"1\" printable=\"0\"/><item objectid=\"1\" printable=\"0\"/>"))),
-                                  "a");
+  const std::string objects = object("1", tetrahedron()) + object("2", tetrahedron(), "type=\"support\"") +
+                              object("3", tetrahedron(), "type=\"other\"") + object("4", tetrahedron(), "type=\"surface\"") +
+                              object("5", "<components><component objectid=\"1\"/><component objectid=\"3\"/></components>");
+  const auto mesh =
+      read_three_mf(zip(package(model(objects,
+                                      "<item objectid=\"5\"/><item objectid=\"2\"/><item objectid=\"4\"/>"
+                                      "<item objectid=\"1\" printable=\"0\"/><item objectid=\"1\" printable=\"0\"/>"))),
+                    "a");
   ASSERT_TRUE(mesh) << mesh.error().message();
   EXPECT_EQ(mesh->bodies.size(), 2U);
-  EXPECT_EQ(mesh->notes, (std::vector<std::string>{"2 items that are not to be printed", "1 object of type \"other\"", "1 object of type \"support\""}));
-  EXPECT_TRUE(has(error_of(zip(package(model(objects, "<item objectid=\"2\"/>")))), "3D/3dmodel.model: found nothing else than 1 object of type \"support\""));
+  EXPECT_EQ(mesh->notes, (std::vector<std::string>{"2 items that are not to be printed", "1 object of type \"other\"",
+                                                   "1 object of type \"support\""}));
+  EXPECT_TRUE(has(error_of(zip(package(model(objects, "<item objectid=\"2\"/>")))),
+                  "3D/3dmodel.model: found nothing else than 1 object of type \"support\""));
 }
 
 TEST(ThreeMf, DamagedArchivesAreNamed) {
@@ -326,9 +347,12 @@ TEST(ThreeMf, DamagedModelsAreNamed) {
     return error_of(zip(package(model(objects, build, attributes))));
   };
   const std::string one = "<item objectid=\"1\"/>";
-  EXPECT_TRUE(has(error_of(threemf(quarter_turn, "unit=\"inch\"", "1000000000")), "face 3: found vertex 1000000000, expected 0 to 3"));
-  EXPECT_TRUE(has(error_of(threemf(quarter_turn, "unit=\"inch\"", "-1")), "3D/3dmodel.model, object 1, face 3: found vertex \"-1\", expected 0 to 3"));
-  EXPECT_TRUE(has(error_of(threemf(quarter_turn, "unit=\"mile\"")), "3D/3dmodel.model: found the unit \"mile\", expected micron"));
+  EXPECT_TRUE(
+      has(error_of(threemf(quarter_turn, "unit=\"inch\"", "1000000000")), "face 3: found vertex 1000000000, expected 0 to 3"));
+  EXPECT_TRUE(has(error_of(threemf(quarter_turn, "unit=\"inch\"", "-1")),
+                  "3D/3dmodel.model, object 1, face 3: found vertex \"-1\", expected 0 to 3"));
+  EXPECT_TRUE(
+      has(error_of(threemf(quarter_turn, "unit=\"mile\"")), "3D/3dmodel.model: found the unit \"mile\", expected micron"));
   EXPECT_TRUE(has(error_of(threemf(quarter_turn, "requiredextensions=\"b\" xmlns:b=\"http://x/beamlattice/2017/02\"")),
                   "3D/3dmodel.model: found that the extension \"b\" is required"));
   std::string mesh = tetrahedron();
@@ -336,13 +360,18 @@ TEST(ThreeMf, DamagedModelsAreNamed) {
   EXPECT_TRUE(has(error_in(object("1", mesh), one), "object 1, vertex 1: found \"ten\", expected a number"));
   mesh.replace(mesh.find(" x=\"ten\""), 8, "");
   EXPECT_TRUE(has(error_in(object("1", mesh), one), "object 1, vertex 1: found no attribute x"));
-  EXPECT_TRUE(has(error_in(object("1", tetrahedron()) + object("1", tetrahedron()), one), "object 1: found a second object with this id"));
+  EXPECT_TRUE(has(error_in(object("1", tetrahedron()) + object("1", tetrahedron()), one),
+                  "object 1: found a second object with this id"));
   EXPECT_TRUE(has(error_in(object("", tetrahedron()), one), "3D/3dmodel.model: found an object without id"));
-  EXPECT_TRUE(has(error_in(object("1", tetrahedron()), "<item objectid=\"3\"/>"), "3D/3dmodel.model, build: found the object \"3\""));
-  EXPECT_TRUE(has(error_in(object("1", tetrahedron()), "<item objectid=\"1\" transform=\"1 0 0\"/>"), "3D/3dmodel.model, item 1: found a transform of 3 numbers"));
-  EXPECT_TRUE(has(error_in(object("1", tetrahedron()), "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 0 0 0 0\"/>"), "item 1: found the transform"));
+  EXPECT_TRUE(
+      has(error_in(object("1", tetrahedron()), "<item objectid=\"3\"/>"), "3D/3dmodel.model, build: found the object \"3\""));
+  EXPECT_TRUE(has(error_in(object("1", tetrahedron()), "<item objectid=\"1\" transform=\"1 0 0\"/>"),
+                  "3D/3dmodel.model, item 1: found a transform of 3 numbers"));
+  EXPECT_TRUE(has(error_in(object("1", tetrahedron()), "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 0 0 0 0\"/>"),
+                  "item 1: found the transform"));
   EXPECT_TRUE(has(error_in(object("1", tetrahedron()), ""), "found no faces"));
-  EXPECT_TRUE(has(error_of(zip(package("<model>\n <resources>\n  <object id=1/></resources></model>"))), "3D/3dmodel.model, line 3, column "));
+  EXPECT_TRUE(has(error_of(zip(package("<model>\n <resources>\n  <object id=1/></resources></model>"))),
+                  "3D/3dmodel.model, line 3, column "));
   EXPECT_TRUE(has(error_of(zip(package(std::string(4'000'000, '<')))), "3D/3dmodel.model, line 1"));
   EXPECT_TRUE(has(error_of(zip(package("<html/>"))), "3D/3dmodel.model: found the element \"html\""));
   std::string deep;
@@ -367,9 +396,12 @@ std::string chain(int length, int copies, const std::string& first) {
 TEST(ThreeMf, ComponentsWithoutEndAreRefused) {
   NEEDS_THREE_MF();
   const auto refers_to = [](const std::string& id) { return "<components><component objectid=\"" + id + "\"/></components>"; };
-  EXPECT_TRUE(has(error_of(zip(package(model(object("1", refers_to("1")), "<item objectid=\"1\"/>")))), "object 1: found an object that contains itself"));
-  EXPECT_TRUE(has(error_of(zip(package(model(object("1", refers_to("2")) + object("2", refers_to("3")) + object("3", refers_to("2")), "<item objectid=\"1\"/>")))),
-                  "object 2: found an object that contains itself"));
+  EXPECT_TRUE(has(error_of(zip(package(model(object("1", refers_to("1")), "<item objectid=\"1\"/>")))),
+                  "object 1: found an object that contains itself"));
+  EXPECT_TRUE(
+      has(error_of(zip(package(model(object("1", refers_to("2")) + object("2", refers_to("3")) + object("3", refers_to("2")),
+                                     "<item objectid=\"1\"/>")))),
+          "object 2: found an object that contains itself"));
   EXPECT_TRUE(has(error_of(chain(100'000, 1, tetrahedron())), "found components in more than 100 levels"));
   EXPECT_EQ(bodies_of(chain(100, 1, tetrahedron())), std::vector<Points>{unit_points});
   // 2^60 copies: of a tetrahedron, and of nothing.
@@ -381,7 +413,8 @@ TEST(ThreeMf, ComponentsWithoutEndAreRefused) {
 TEST(ThreeMf, NoDamageEndsTheProgram) {
   NEEDS_THREE_MF();
   std::mt19937 random(1971);
-  const std::string text = model(object("1", tetrahedron()) + object("2", "<components><component objectid=\"1\"/></components>"), "<item objectid=\"2\"/>");
+  const std::string text = model(object("1", tetrahedron()) + object("2", "<components><component objectid=\"1\"/></components>"),
+                                 "<item objectid=\"2\"/>");
   int refused = 0;
   for (int i = 0; i < 600; ++i) {
     const bool in_archive = i % 2 == 0;
