@@ -138,6 +138,7 @@ class ThreeMfReader {
   }
 
   base::Result<PolyMesh> run() {
+    read_modifiers();
     if (const auto root = root_part()) {
       load(*root);
       for (const Component& item : items_)
@@ -200,6 +201,40 @@ class ThreeMfReader {
       if (entry_key(archive_.names()[i]).ends_with(".model")) return i;
     fail("byte 0", "found a ZIP archive without a file *.model", "3MF", "");
     return std::nullopt;
+  }
+
+  // PrusaSlicer keeps an object's modifiers among its triangles; a file of its own says which triangles these are.
+  void read_modifiers() {
+    const auto entry = entries_.find("metadata/slic3r_pe_model.config");
+    if (entry == entries_.end()) return;
+    constexpr std::uint64_t most = 1 << 20;
+    auto text = archive_.read(entry->second, most);
+    pugi::xml_document tree;
+    if (!text || !tree.load_buffer_inplace(text->data(), text->size(), pugi::parse_minimal)) return;
+    for (const pugi::xml_node object : tree.document_element().children("object")) {
+      for (const pugi::xml_node volume : object.children("volume")) {
+        const std::string_view type = volume.find_child_by_attribute("metadata", "key", "volume_type").attribute("value").value();
+        const auto first = base::unsigned_number(volume.attribute("firstid").value());
+        const auto last = base::unsigned_number(volume.attribute("lastid").value());
+        if (!type.empty() && type != "ModelPart" && first && last)
+          modifiers_[object.attribute("id").value()].push_back({*first, *last});
+      }
+    }
+  }
+
+  void leave_out_modifiers(const std::string& id, LocalMesh& mesh) {
+    const auto found = modifiers_.find(id);
+    if (found == modifiers_.end()) return;
+    const std::size_t count = mesh.corners.size() / 3;
+    std::vector<bool> left_out(count);
+    for (const auto& [first, last] : found->second) {
+      leave_out("modifier", "modifiers");
+      for (std::uint64_t t = first; t <= last && t < count; ++t) left_out[t] = true;
+    }
+    std::vector<std::uint32_t> kept;
+    for (std::size_t c = 0; c < mesh.corners.size(); ++c)
+      if (!left_out[c / 3]) kept.push_back(mesh.corners[c]);
+    mesh.corners = std::move(kept);
   }
 
   // The part of an archive's entry; empty after an error. The first one that is loaded has the build items.
@@ -307,6 +342,8 @@ class ThreeMfReader {
     }
     if (const pugi::xml_node mesh = core_child(node, "mesh")) {
       read_mesh(mesh, object.mesh);
+      if (part == 0) leave_out_modifiers(id, object.mesh);
+      leave_out_unused(object.mesh);
       for (const pugi::xml_node child : mesh.children())
         if (local_name(child.name()) == "beamlattice") leave_out("lattice of beams", "lattices of beams");
     }
@@ -351,11 +388,14 @@ class ThreeMfReader {
       if (error_) return;
     }
     mesh.precision = precision.result(mesh.vertices);
-    if (mesh.vertices.size() > mesh.corners.size()) {
-      std::vector<std::array<double, 3>> used;
-      for (const std::uint32_t v : number_used_vertices(mesh.corners)) used.push_back(mesh.vertices[v]);
-      mesh.vertices = std::move(used);
-    }
+  }
+
+  // Of a mesh with more vertices than corners, so that its copies cost no more than their faces.
+  static void leave_out_unused(LocalMesh& mesh) {
+    if (mesh.vertices.size() <= mesh.corners.size()) return;
+    std::vector<std::array<double, 3>> used;
+    for (const std::uint32_t v : number_used_vertices(mesh.corners)) used.push_back(mesh.vertices[v]);
+    mesh.vertices = std::move(used);
   }
 
   void read_triangle(pugi::xml_node triangle, LocalMesh& mesh) {
@@ -510,6 +550,7 @@ class ThreeMfReader {
   std::vector<Part> parts_;  // the first one is the archive's model
   std::vector<Object> objects_;
   std::vector<Component> items_;
+  std::map<std::string, std::vector<std::array<std::uint64_t, 2>>> modifiers_;  // the first and last triangle of each, by object
   std::size_t built_corners_ = 0;
   std::map<std::pair<std::string, std::string>, std::size_t> left_out_;  // one and several of what, and how many
   PlacedMeshes meshes_;

@@ -2,7 +2,8 @@
 //
 // Build items and components are placed by their transforms; each copy of a mesh is a body. Parts of the production extension
 // are read (slicers keep each object in a part of its own). Left out, and noted: items that are not to be printed, objects of
-// the types support, solidsupport and other (slicers keep modifiers as such), beams. Not read: colours, materials, pictures.
+// the types support, solidsupport and other (slicers keep modifiers as such), modifiers of PrusaSlicer, beams. Not read:
+// colours, materials, pictures.
 // Source: 3MF Consortium, 3D Manufacturing Format Core Specification 1.3 and Production Extension 1.1.2.
 #pragma once
 

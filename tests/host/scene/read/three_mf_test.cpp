@@ -302,6 +302,26 @@ TEST(ThreeMf, WhatIsNotPrintedIsLeftOut) {
                   "3D/3dmodel.model: found nothing else than 1 object of type \"support\""));
 }
 
+// As PrusaSlicer writes them: all volumes of an object are one mesh.
+TEST(ThreeMf, ModifiersOfPrusaSlicerAreLeftOut) {
+  NEEDS_THREE_MF();
+  auto files = package(model(object("1", tetrahedron()), "<item objectid=\"1\"/>"));
+  const auto volume = [](const std::string& range, const std::string& type) {
+    return "<volume " + range + "><metadata type=\"volume\" key=\"name\" value=\"a\"/><metadata type=\"volume\" key=\"volume_type\" value=\"" +
+           type + "\"/></volume>";
+  };
+  files.push_back({"Metadata/Slic3r_PE_model.config",
+                   "<config><object id=\"1\">" + volume("firstid=\"0\" lastid=\"0\"", "ModelPart") +
+                       volume("firstid=\"1\" lastid=\"2\"", "ParameterModifier") + volume("firstid=\"9\" lastid=\"99999999999\"", "SupportBlocker") +
+                       "</object><object id=\"2\">" + volume("firstid=\"0\" lastid=\"3\"", "NegativeVolume") + "</object></config>"});
+  const auto mesh = read_three_mf(zip(files), "a");
+  ASSERT_TRUE(mesh) << mesh.error().message();
+  ASSERT_EQ(mesh->bodies.size(), 1U);
+  EXPECT_EQ(mesh->bodies[0].faces.size(), 2U);
+  EXPECT_EQ(points_of(*mesh, mesh->bodies[0]), unit_points);  // triangles 0 2 1 and 1 2 3
+  EXPECT_EQ(mesh->notes, std::vector<std::string>{"2 modifiers"});
+}
+
 TEST(ThreeMf, DamagedArchivesAreNamed) {
   NEEDS_THREE_MF();
   const std::string archive = threemf(quarter_turn);
