@@ -16,6 +16,7 @@ namespace {
 constexpr const char* export_again = "the file is damaged: export it again";
 constexpr std::uint64_t most_number = std::uint64_t{1} << 53;
 constexpr std::uint64_t most_zeros = 10'000'000;               // elements of an accessor without a buffer
+constexpr std::uint64_t most_sparse = 100'000'000;             // of all accessors
 constexpr std::size_t most_file_bytes = std::size_t{2} << 30;  // of all files that are named
 
 enum ComponentType : std::uint16_t { int8 = 5120, uint8 = 5121, int16 = 5122, uint16 = 5123, uint32 = 5125, float32 = 5126 };
@@ -122,24 +123,34 @@ void GltfDocument::fail(const std::string& place, std::string found, std::string
 
 std::optional<GltfEntry> GltfDocument::entry(const std::string& kind, const base::Json& reference, const std::string& place) {
   if (error_) return std::nullopt;
-  const base::Json* const all = root_.find(kind);
-  if (const std::string* const name = reference.text(); name != nullptr && all != nullptr && all->is_object()) {
-    auto [named, is_new] = named_.try_emplace(kind);
-    if (is_new)
-      for (const base::JsonMember& member : all->members()) named->second[member.key] = &member.value;
-    const auto found = named->second.find(*name);
-    if (found != named->second.end()) return GltfEntry{found->second, kind + "." + printable_name(*name)};
-    fail(place, "found " + quoted_excerpt(*name), "a name of " + kind);
-    return std::nullopt;
+  auto [known, is_new] = kinds_.try_emplace(kind);
+  Kind& entries = known->second;
+  if (is_new) {
+    entries.all = root_.find(kind);
+    if (entries.all != nullptr)
+      for (const base::JsonMember& member : entries.all->members()) entries.named[member.key] = &member.value;
   }
+  const base::Json* const all = entries.all;
   const std::size_t count = all != nullptr && all->is_array() ? all->size() : 0;
   const auto number = reference.number();
-  if (number && *number >= 0 && *number < static_cast<double>(count) && std::floor(*number) == *number) {
+  GltfEntry entry;
+  if (const std::string* const name = reference.text(); name != nullptr && !entries.named.empty()) {
+    const auto found = entries.named.find(*name);
+    if (found != entries.named.end()) entry = {found->second, kind + "." + printable_name(*name)};
+  } else if (number && *number >= 0 && *number < static_cast<double>(count) && std::floor(*number) == *number) {
     const auto i = static_cast<std::size_t>(*number);
-    return GltfEntry{&(*all)[i], base::indexed(kind, i)};
+    entry = {&(*all)[i], base::indexed(kind, i)};
   }
-  fail(place, "found " + base::describe(reference),
-       count == 0 ? "a file with " + kind : "the number of one of the " + std::to_string(count) + " " + kind + ", from 0");
+  constexpr std::size_t most_members = 1000;  // each is looked for by going through all
+  if (entry.json != nullptr && entry.json->members().size() <= most_members) return entry;
+  if (entry.json != nullptr) {
+    fail(entry.place, "found an object of " + std::to_string(entry.json->size()) + " members",
+         "at most " + std::to_string(most_members));
+    return std::nullopt;
+  }
+  std::string expected = "the number of one of the " + std::to_string(count) + " " + kind + ", from 0";
+  if (count == 0) expected = entries.named.empty() ? "a file with " + kind : "a name of " + kind;
+  fail(place, "found " + (reference.is_string() ? quoted_excerpt(*reference.text()) : base::describe(reference)), expected);
   return std::nullopt;
 }
 
@@ -273,6 +284,13 @@ std::optional<std::string_view> GltfDocument::part_of_view(const GltfEntry& from
 bool GltfDocument::read_sparse(const GltfEntry& sparse, GltfAccessor& accessor) {
   const auto count = whole(sparse, "count", accessor.count);
   if (!count) return false;
+  // Many accessors may name the same bytes.
+  sparse_elements_ += *count;
+  if (sparse_elements_ > most_sparse) {
+    fail(sparse.place + ".count", "found more than " + std::to_string(most_sparse) + " sparse elements in all", "",
+         "export without them");
+    return false;
+  }
   const base::Json* const indices = sparse.json->find("indices");
   const base::Json* const values = sparse.json->find("values");
   if (indices == nullptr || values == nullptr) {

@@ -82,10 +82,15 @@ class GltfDocument {
   const base::Json& root_;
   std::string_view binary_;
   std::string folder_;
-  std::map<std::string, std::unordered_map<std::string_view, const base::Json*>> named_;  // of glTF 1: the entries of each kind
+  struct Kind {
+    const base::Json* all = nullptr;
+    std::unordered_map<std::string_view, const base::Json*> named;  // of glTF 1
+  };
+  std::map<std::string, Kind> kinds_;
   std::map<const base::Json*, std::string> buffers_;
   std::size_t file_bytes_ = 0;
   std::map<const base::Json*, GltfAccessor> accessors_;
+  std::uint64_t sparse_elements_ = 0;
   std::optional<base::Error> error_;
 };
 

@@ -60,13 +60,16 @@ std::string_view prefix_of(std::string_view name) {
 
 std::string_view local_name(std::string_view name) { return name.substr(name.find(':') + 1); }
 
-// What a prefix stands for at a node; empty: nothing.
+// What a prefix stands for at a node; empty: nothing. Of an element with any number of attributes, the first hundred count.
 std::string_view namespace_of(pugi::xml_node node, std::string_view prefix) {
-  for (; node; node = node.parent())
-    for (const pugi::xml_attribute attribute : node.attributes()) {
+  for (; node; node = node.parent()) {
+    int left = 100;
+    for (pugi::xml_attribute attribute = node.first_attribute(); attribute && left-- > 0;
+         attribute = attribute.next_attribute()) {
       const std::string_view name = attribute.name();
       if (prefix.empty() ? name == "xmlns" : name.starts_with("xmlns:") && name.substr(6) == prefix) return attribute.value();
     }
+  }
   return {};
 }
 
@@ -109,6 +112,7 @@ struct Component {
   std::string part;  // empty: the one of the object
   std::string object;
   Transform transform = no_transform;
+  std::size_t index = 0;  // of the object, once it is checked
 };
 
 struct Object {
@@ -495,10 +499,13 @@ class ThreeMfReader {
       const auto inner =
           object_of(objects_[index].components[c], objects_[index].part, place + ", component " + std::to_string(c + 1));
       if (!inner || !check(*inner, level + 1)) return false;
+      objects_[index].components[c].index = *inner;
       corners = std::min(corners + objects_[*inner].corners, most_corners + 1);
       levels = std::max(levels, objects_[*inner].levels + 1);
     }
     if (levels > most_levels) return fail_by_levels(place);
+    // So that each step of place_copy has faces to place.
+    std::erase_if(objects_[index].components, [&](const Component& c) { return objects_[c.index].corners == 0; });
     objects_[index].corners = corners;
     objects_[index].levels = levels;
     objects_[index].state = Object::State::checked;
@@ -536,10 +543,8 @@ class ThreeMfReader {
       if (!added) error_ = std::move(added.error());
     }
     for (const Component& component : object.components) {
-      const auto inner = object_of(component, object.part, object.mesh.place);
-      if (inner)
-        place_copy(*inner, product(transform, scaled(component.transform, object.part, objects_[*inner].part)),
-                   object.has_name ? object.name : name);
+      const Transform local = scaled(component.transform, object.part, objects_[component.index].part);
+      place_copy(component.index, product(transform, local), object.has_name ? object.name : name);
     }
   }
 

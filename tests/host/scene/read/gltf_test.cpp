@@ -372,6 +372,14 @@ TEST(Gltf, DamageOfEachKindHasAPlace) {
        "accessors[0].type: found positions of 2 numbers"},
       {accessor(R"("bufferView":3,"componentType":5126,"type":"VEC3","count":5)"),
        "accessors[0].bufferView: found 3, expected the number of one of the 1 bufferViews"},
+      {node(R"("mesh":"one")"), "nodes[0].mesh: found \"one\", expected the number of one of the 1 meshes, from 0"},
+      {node("\"mesh\":0" +
+            [] {
+              std::string members;
+              for (int i = 0; i < 1000; ++i) members += ",\"a\":0";
+              return members;
+            }()),
+       "nodes[0]: found an object of 1001 members, expected at most 1000"},
       {node(R"("mesh":1)"), "nodes[0].mesh: found 1, expected the number of one of the 1 meshes, from 0"},
       {node(R"("mesh":0,"children":[0])"), "nodes[0]: found a node that is its own descendant"},
       {node(R"("mesh":0,"children":[7])"), "nodes[0].children[0]: found 7"},

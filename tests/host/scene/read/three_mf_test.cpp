@@ -307,13 +307,15 @@ TEST(ThreeMf, ModifiersOfPrusaSlicerAreLeftOut) {
   NEEDS_THREE_MF();
   auto files = package(model(object("1", tetrahedron()), "<item objectid=\"1\"/>"));
   const auto volume = [](const std::string& range, const std::string& type) {
-    return "<volume " + range + "><metadata type=\"volume\" key=\"name\" value=\"a\"/><metadata type=\"volume\" key=\"volume_type\" value=\"" +
-           type + "\"/></volume>";
+    return "<volume " + range +
+           "><metadata type=\"volume\" key=\"name\" value=\"a\"/><metadata type=\"volume\" key=\"volume_type\" value=\"" + type +
+           "\"/></volume>";
   };
   files.push_back({"Metadata/Slic3r_PE_model.config",
                    "<config><object id=\"1\">" + volume("firstid=\"0\" lastid=\"0\"", "ModelPart") +
-                       volume("firstid=\"1\" lastid=\"2\"", "ParameterModifier") + volume("firstid=\"9\" lastid=\"99999999999\"", "SupportBlocker") +
-                       "</object><object id=\"2\">" + volume("firstid=\"0\" lastid=\"3\"", "NegativeVolume") + "</object></config>"});
+                       volume("firstid=\"1\" lastid=\"2\"", "ParameterModifier") +
+                       volume("firstid=\"9\" lastid=\"99999999999\"", "SupportBlocker") + "</object><object id=\"2\">" +
+                       volume("firstid=\"0\" lastid=\"3\"", "NegativeVolume") + "</object></config>"});
   const auto mesh = read_three_mf(zip(files), "a");
   ASSERT_TRUE(mesh) << mesh.error().message();
   ASSERT_EQ(mesh->bodies.size(), 1U);
@@ -427,6 +429,14 @@ TEST(ThreeMf, ComponentsWithoutEndAreRefused) {
   // 2^60 copies: of a tetrahedron, and of nothing.
   EXPECT_TRUE(has(error_of(chain(60, 2, tetrahedron())), "found more than 100000000 corners of faces, copies counted"));
   EXPECT_TRUE(has(error_of(chain(60, 2, "<mesh/>")), "found no faces"));
+  // 10^10 components without faces.
+  std::string many;
+  std::string items;
+  for (int i = 0; i < 100'000; ++i) many += "<component objectid=\"0\"/>";
+  for (int i = 0; i < 100'000; ++i) items += "<item objectid=\"2\"/>";
+  const std::string empty = object("0", "<mesh/>") + object("1", tetrahedron()) +
+                            object("2", "<components>" + many + "<component objectid=\"1\"/></components>");
+  EXPECT_EQ(bodies_of(zip(package(model(empty, items)))).size(), 100'000U);
   EXPECT_TRUE(has(error_of(chain(22, 2, tetrahedron())), "found more than 1000000 copies of meshes"));
 }
 
