@@ -92,7 +92,7 @@ class GltfReader {
   GltfReader(const base::Json& root, std::string_view binary, const std::string& folder) : document_(root, binary, folder) {}
 
   base::Result<PolyMesh> run() {
-    look_at_extensions();
+    check_extensions();
     if (!document_.error()) push_scene();
     while (!document_.error() && !pending_.empty()) {
       const Pending next = std::move(pending_.back());
@@ -121,7 +121,7 @@ class GltfReader {
   };
   using Primitives = std::vector<LocalMesh>;
 
-  void look_at_extensions() {
+  void check_extensions() {
     const base::Json* const required = document_.root().find("extensionsRequired");
     if (required == nullptr) return;
     for (const base::Json& name : required->elements()) {
