@@ -156,6 +156,9 @@ class ThreeMfReader {
     if (!mesh && !notes.empty())
       return base::Error{"", parts_.front().name, "found nothing else than " + notes.front(),
                          "an object to be printed, of type \"model\"", ""};
+    if (!mesh && items_.empty())
+      return base::Error{"", parts_.front().name, "found nothing that is built", "an item in the element \"build\"",
+                         "add the objects to the plate"};
     if (!mesh) return mesh;
     mesh->notes = std::move(notes);
     mesh->unit = parts_.front().unit->here;
@@ -317,11 +320,11 @@ class ThreeMfReader {
       required.remove_prefix(std::min(prefix.size() + 1, required.size()));
       const std::string_view space = namespace_of(model, prefix);
       bool harmless = prefix.empty();
-      for (const std::string_view family : {"/material/", "/production/", "/trianglesets/"})
+      for (const std::string_view family : {"/material/", "/production/", "/slice/", "/trianglesets/"})
         harmless = harmless || space.find(family) != std::string_view::npos;
       if (harmless) continue;
       return fail(part, "found that the extension " + quoted_excerpt(prefix) + " is required, " + quoted_excerpt(space),
-                  "the core of 3MF, its materials and its production parts", "export without it, or as STL");
+                  "the core of 3MF with materials, production parts and slices", "export without it, or as STL");
     }
     return true;
   }

@@ -391,7 +391,8 @@ TEST(ThreeMf, DamagedModelsAreNamed) {
                   "3D/3dmodel.model, item 1: found a transform of 3 numbers"));
   EXPECT_TRUE(has(error_in(object("1", tetrahedron()), "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 0 0 0 0\"/>"),
                   "item 1: found the transform"));
-  EXPECT_TRUE(has(error_in(object("1", tetrahedron()), ""), "found no faces"));
+  EXPECT_TRUE(has(error_in(object("1", tetrahedron()), ""), "3D/3dmodel.model: found nothing that is built"));
+  EXPECT_TRUE(has(error_in(object("1", "<mesh/>"), one), "found no faces"));
   EXPECT_TRUE(has(error_of(zip(package("<model>\n <resources>\n  <object id=1/></resources></model>"))),
                   "3D/3dmodel.model, line 3, column "));
   EXPECT_TRUE(has(error_of(zip(package(std::string(4'000'000, '<')))), "3D/3dmodel.model, line 1"));
