@@ -154,7 +154,7 @@ class ThreeMfReader {
       notes.push_back(std::to_string(count) + " " + (count == 1 ? what.first : what.second));
     auto mesh = meshes_.take();
     if (!mesh && !notes.empty())
-      return base::Error{"", parts_.front().name, "found nothing else than " + notes.front(),
+      return base::Error{"", parts_.front().name, "found only " + notes.front(),
                          "an object to be printed, of type \"model\"", ""};
     if (!mesh && items_.empty())
       return base::Error{"", parts_.front().name, "found nothing that is built", "an item in the element \"build\"",

@@ -299,7 +299,7 @@ TEST(ThreeMf, WhatIsNotPrintedIsLeftOut) {
   EXPECT_EQ(mesh->notes, (std::vector<std::string>{"2 items that are not to be printed", "1 object of type \"other\"",
                                                    "1 object of type \"support\""}));
   EXPECT_TRUE(has(error_of(zip(package(model(objects, "<item objectid=\"2\"/>")))),
-                  "3D/3dmodel.model: found nothing else than 1 object of type \"support\""));
+                  "3D/3dmodel.model: found only 1 object of type \"support\""));
 }
 
 // As PrusaSlicer writes them: all volumes of an object are one mesh.
