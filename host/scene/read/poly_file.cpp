@@ -12,13 +12,14 @@
 #include "host/base/result.hpp"
 #include "host/base/text.hpp"
 #include "host/scene/model/file_units.hpp"
-#include "host/scene/read/assimp_mesh.hpp"
+#include "host/scene/read/gltf.hpp"
 #include "host/scene/read/obj.hpp"
 #include "host/scene/read/off.hpp"
 #include "host/scene/read/ply.hpp"
 #include "host/scene/read/poly_json.hpp"
 #include "host/scene/read/poly_triangulate.hpp"
 #include "host/scene/read/stl.hpp"
+#include "host/scene/read/three_mf.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -278,9 +279,9 @@ base::Result<PolyMesh> read_mesh(std::string_view text, std::string_view source,
     case PolyFormat::off: return read_off(text, source);
     case PolyFormat::stl: return read_stl(text, source);
     case PolyFormat::ply: return read_ply(text, source);
-    case PolyFormat::gltf: return read_by_assimp(text, source, AssimpFormat::gltf, folder);
-    case PolyFormat::glb: return read_by_assimp(text, source, AssimpFormat::glb, folder);
-    case PolyFormat::threemf: return read_by_assimp(text, source, AssimpFormat::threemf, folder);
+    case PolyFormat::gltf: return read_gltf(text, source, folder);
+    case PolyFormat::glb: return read_glb(text, source, folder);
+    case PolyFormat::threemf: return read_three_mf(text, source);
     default: return read_obj(text, source);
   }
 }
