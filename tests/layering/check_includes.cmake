@@ -11,7 +11,6 @@ cmake_minimum_required(VERSION 3.25)
 set(LIBRARY_RULES
   "png.h=host/picture"
   "nlohmann/=host/base"
-  "muParser=host/scene"
   "assimp/=host/scene/read/assimp_mesh.cpp"
   "CLI/=host/app"
   "editline/=host/app"
