@@ -18,7 +18,6 @@
 #include "host/app/commands/skala_source.hpp"
 #include "host/base/json.hpp"
 #include "host/base/number.hpp"
-#include "host/scene/heights/read_text.hpp"
 #include "host/scene/heights/round_values.hpp"
 
 namespace sightline::app {

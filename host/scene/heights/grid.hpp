@@ -7,8 +7,10 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host/base/result.hpp"
@@ -39,6 +41,8 @@ struct GridSize {
 // At the door of every reader and sampler; a program may also build smaller grids, down to a single point.
 inline constexpr GridSize smallest_grid{2, 2};
 inline constexpr GridSize largest_grid{1024, 1024};
+// Of a grid format, before it is thinned.
+inline constexpr GridSize largest_file_grid{32767, 32767};
 
 struct HeightGrid {
   std::vector<double> x;        // of the points, ascending in [-1, 1]
@@ -65,6 +69,20 @@ struct HeightGrid {
 
 // The same of their own range. None: two of them come to the same.
 [[nodiscard]] std::optional<std::vector<double>> positions_of(const std::vector<double>& ascending);
+
+// In what order a file has its rows.
+enum class RowOrder : std::uint8_t { south_first, north_first };
+
+// A grid of even places, without its range. The error names the ends of a domain that do not rise or are no finite numbers.
+// `heights` are those of the file in its order, as many as the size has (precondition).
+[[nodiscard]] base::Result<HeightGrid> even_grid(HeightDomain domain, GridSize size, std::vector<double> heights, RowOrder order, std::string_view source);
+
+// Every `step`-th point of every `step`-th slice from the first ones on, at least two of each: the step is made smaller where it
+// would leave fewer. The range and the note stay.
+[[nodiscard]] HeightGrid thinned(const HeightGrid& grid, std::size_t step);
+
+// A number as the shortest text that reads back the same.
+[[nodiscard]] std::string shortest_text(double number);
 
 // The least and the greatest finite value. {0, 0} if there is none.
 [[nodiscard]] Interval finite_range(const std::vector<double>& values);

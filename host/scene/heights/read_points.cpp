@@ -10,6 +10,7 @@
 #include "host/base/number.hpp"
 #include "host/base/result.hpp"
 #include "host/base/text.hpp"
+#include "host/scene/heights/interpolate.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -40,7 +41,6 @@ class Places {
   std::vector<double> places_;
 };
 
-constexpr const char* parametric = "parametric surfaces are not read";
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // The column whose name is one of these, in any case; "height (m)" is height.
@@ -63,44 +63,117 @@ std::string names_of(const HeightText& text) {
 
 class Points {
  public:
-  Points(const HeightText& text, const PointColumns& columns, bool guessed, std::string_view source)
-      : text_(text), columns_(columns), guessed_(guessed), source_(source) {}
+  Points(const HeightText& text, const PointColumns& columns, bool guessed, const GridFileOptions& options, std::string_view source)
+      : text_(text), columns_(columns), guessed_(guessed), options_(options), source_(source) {}
 
-  base::Result<HeightGrid> grid() {
+  // A grid if the points form one, else a net if they are in blocks.
+  base::Result<HeightSurface> surface() {
     if (auto error = why_no_points()) return *error;
+    if (options_.triangulate) return triangulated();
+    auto read = grid();
+    if (read) return HeightSurface(std::move(*read));
+    if (!in_blocks()) return std::move(read.error());
+    auto curves = net();
+    if (curves) return HeightSurface(std::move(*curves));
+    return std::move(curves.error());
+  }
+
+ private:
+  base::Result<HeightGrid> grid() {
     const Places x(values(0));
     const Places y(values(1));
     for (const auto& [places, axis] : {std::pair{&x, std::size_t{0}}, std::pair{&y, std::size_t{1}}})
       if (auto error = why_no_axis(*places, axis)) return *error;
     if (std::uint64_t{x.count()} * y.count() > 4 * std::uint64_t{text_.lines.size()}) return no_grid(x, y);
-    for (const auto& [places, axis] : {std::pair{&x, std::size_t{0}}, std::pair{&y, std::size_t{1}}}) {
-      if (places->count() > largest_grid.points)
-        return base::Error{source_, "", std::to_string(places->count()) + " different values of " + name(axis), "at most 1024"};
-    }
     HeightGrid grid{*positions_of(x.all()), *positions_of(y.all()), std::vector<double>(x.count() * y.count(), nan), x.domain(), y.domain(), {}, {}, {}};
     std::vector<const HeightLine*> first(grid.heights.size(), nullptr);
     std::size_t repeated = 0;
     for (const HeightLine& line : text_.lines) {
       const std::size_t place = y.index(value(line, 1)) * x.count() + x.index(value(line, 0));
-      const double height = value(line, 2);
+      const double height = height_of(line);
       if (first[place] == nullptr) {
         first[place] = &line;
         grid.heights[place] = height;
       } else if (grid.heights[place] == height || (std::isnan(grid.heights[place]) && std::isnan(height))) {
         ++repeated;
       } else {
-        return turns(x, y) ? no_grid(x, y) : two_heights(*first[place], line);
+        return two_heights(*first[place], line);
       }
     }
     if (3 * with_neighbours(first, x.count()) < text_.lines.size() - repeated) return no_grid(x, y);
-    if (text_.has_heading() && !text_.heading.table)
-      for (std::size_t axis = 0; axis < 3; ++axis) grid.names[axis] = text_.heading.names[columns_[axis]];
+    grid.names = names();
     grid.note = note_of(grid, text_.lines.size() - repeated, repeated);
     return grid;
   }
 
- private:
+  // Blocks of as many points as the first one are curves.
+  base::Result<SurfaceNet> net() {
+    SurfaceNet net;
+    std::size_t length = 0;
+    const HeightLine* begin = nullptr;
+    const auto end_curve = [&](std::size_t end_line) -> std::optional<base::Error> {
+      if (net.curves == 0) net.points = length;
+      ++net.curves;
+      if (length == net.points && length >= 2) return std::nullopt;
+      return base::Error{source_, place_of(end_line, 1), "block " + std::to_string(net.curves) + " of " + count_of(length, "point"),
+                         length < 2 ? "two points or more in each block" : std::to_string(net.points) + " as in the first block",
+                         "points of a surface are a grid of columns and rows, or blocks of equal length between blank lines; others need --triangulate"};
+    };
+    for (const HeightLine& line : text_.lines) {
+      if (begin != nullptr && line.after_blank) {
+        if (auto error = end_curve(begin->number)) return *error;
+        length = 0;
+      }
+      if (length == 0) begin = &line;
+      ++length;
+      net.vertices.push_back({value(line, 0), value(line, 1), height_of(line)});
+    }
+    if (auto error = end_curve(begin->number)) return *error;
+    net.names = names();
+    net.note = "read as a net of " + count_of(net.curves, "curve") + " of " + count_of(net.points, "point");
+    if (const std::string left_out = columns_left_out(); guessed_ && !left_out.empty()) net.note += ", " + left_out;
+    return net;
+  }
+
+  base::Result<HeightSurface> triangulated() {
+    std::vector<ScatteredPoint> points;
+    points.reserve(text_.lines.size());
+    for (const HeightLine& line : text_.lines) {
+      const double height = height_of(line);
+      if (std::isfinite(height)) points.push_back({value(line, 0), value(line, 1), height});
+    }
+    std::vector<const HeightLine*> lines;
+    for (const HeightLine& line : text_.lines) lines.push_back(&line);
+    std::stable_sort(lines.begin(), lines.end(), [this](const HeightLine* a, const HeightLine* b) { return place(*a) < place(*b); });
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+      const double before = height_of(*lines[i - 1]);
+      const double height = height_of(*lines[i]);
+      if (place(*lines[i - 1]) == place(*lines[i]) && before != height && std::isfinite(before) && std::isfinite(height))
+        return two_heights(*lines[i - 1], *lines[i]);
+    }
+    auto grid = interpolated(points, *options_.triangulate, source_);
+    if (!grid) return std::move(grid.error());
+    grid->names = names();
+    return HeightSurface(std::move(*grid));
+  }
+
   [[nodiscard]] double value(const HeightLine& line, std::size_t axis) const { return line.fields[columns_[axis]].value; }
+  [[nodiscard]] std::array<double, 2> place(const HeightLine& line) const { return {value(line, 0), value(line, 1)}; }
+  [[nodiscard]] double height_of(const HeightLine& line) const {
+    const double height = value(line, 2);
+    return options_.nodata && height == *options_.nodata ? nan : height;
+  }
+  [[nodiscard]] std::array<std::string, 3> names() const {
+    std::array<std::string, 3> all;
+    if (text_.has_heading() && !text_.heading.table)
+      for (std::size_t axis = 0; axis < 3; ++axis) all[axis] = text_.heading.names[columns_[axis]];
+    return all;
+  }
+  [[nodiscard]] std::string columns_left_out() const {
+    const std::size_t count = text_.lines.front().fields.size();
+    if (count == 4) return "column 4 left out";
+    return count > 4 ? "columns 4 to " + std::to_string(count) + " left out" : "";
+  }
   [[nodiscard]] std::vector<double> values(std::size_t axis) const {
     std::vector<double> all;
     all.reserve(text_.lines.size());
@@ -150,43 +223,18 @@ class Points {
   [[nodiscard]] base::Error two_heights(const HeightLine& first, const HeightLine& line) const {
     return error_at(line, columns_[0], "a second point at " + place_text(line) + " with the height " + shortest_text(value(line, 2)),
                     "one height for each place; the first is " + shortest_text(value(first, 2)) + " in line " + std::to_string(first.number),
-                    in_blocks() ? parametric : "");
+                    "leave out one of them");
   }
 
   // Do blank lines separate curves, as gnuplot writes them?
   [[nodiscard]] bool in_blocks() const {
     return std::any_of(text_.lines.begin(), text_.lines.end(), [](const HeightLine& line) { return line.after_blank; });
   }
-  // Is there a block along which both x and y change?
-  [[nodiscard]] bool turns(const Places& x, const Places& y) const {
-    if (!in_blocks()) return false;
-    const HeightLine* first = nullptr;
-    bool x_changes = false;
-    bool y_changes = false;
-    for (const HeightLine& line : text_.lines) {
-      if (first == nullptr || line.after_blank) {
-        first = &line;
-        x_changes = y_changes = false;
-      }
-      x_changes = x_changes || x.index(value(line, 0)) != x.index(value(*first, 0));
-      y_changes = y_changes || y.index(value(line, 1)) != y.index(value(*first, 1));
-      if (x_changes && y_changes) return true;
-    }
-    return false;
-  }
-
   [[nodiscard]] base::Error no_grid(const Places& x, const Places& y) const {
-    if (turns(x, y)) {
-      const auto is_first = [](const HeightLine& line) { return line.after_blank; };
-      const auto blocks = static_cast<std::size_t>(std::count_if(text_.lines.begin(), text_.lines.end(), is_first)) + 1;
-      return {source_, "",
-              count_of(blocks, "block") + " of points in which both " + name(0) + " and " + name(1) + " change: a parametric surface or a rotated grid",
-              "heights over a grid: in each block " + name(0) + " or " + name(1) + " is the same", parametric};
-    }
     return {source_, "",
             count_of(text_.lines.size(), "scattered point") + " with " + std::to_string(x.count()) + " different values of " + name(0) + " and " +
                 std::to_string(y.count()) + " of " + name(1) + ", no grid of columns and rows",
-            "a point at most places of a grid", remedy("interpolate the points to a grid first, for example with gnuplot's dgrid3d")};
+            "a point at most places of a grid", remedy("use --triangulate")};
   }
 
   static std::size_t with_neighbours(const std::vector<const HeightLine*>& at, std::size_t width) {
@@ -203,9 +251,7 @@ class Points {
     std::string note;
     if (guessed_) {
       note = "read as x y z in columns, a grid of " + std::to_string(grid.points()) + " x " + std::to_string(grid.slices());
-      const std::size_t count = text_.lines.front().fields.size();
-      if (count == 4) note += ", column 4 left out";
-      if (count > 4) note += ", columns 4 to " + std::to_string(count) + " left out";
+      if (const std::string left_out = columns_left_out(); !left_out.empty()) note += ", " + left_out;
       if (taken < grid.heights.size()) note += ", " + count_of(grid.heights.size() - taken, "place") + " without a point";
     }
     if (repeated > 0) note += (note.empty() ? "" : ", ") + count_of(repeated, "repeated point") + " left out";
@@ -215,6 +261,7 @@ class Points {
   const HeightText& text_;
   const PointColumns& columns_;
   bool guessed_;
+  const GridFileOptions& options_;
   std::string source_;
 };
 
@@ -289,8 +336,9 @@ bool repeats_as_grid(const HeightText& text) {
   return 2 * places >= all && 10 * (lines - places) <= lines;
 }
 
-base::Result<HeightGrid> read_points(const HeightText& text, const PointColumns& columns, bool guessed, std::string_view source) {
-  return Points(text, columns, guessed, source).grid();
+base::Result<HeightSurface> read_points(const HeightText& text, const PointColumns& columns, bool guessed, const GridFileOptions& options,
+                                        std::string_view source) {
+  return Points(text, columns, guessed, options, source).surface();
 }
 
 }  // namespace sightline::scene

@@ -10,7 +10,9 @@
 
 #include "host/base/result.hpp"
 #include "host/scene/heights/grid.hpp"
+#include "host/scene/heights/grid_options.hpp"
 #include "host/scene/heights/read_text.hpp"
+#include "host/scene/heights/surface_net.hpp"
 
 namespace sightline::scene {
 
@@ -31,8 +33,10 @@ using PointColumns = std::array<std::size_t, 3>;
 
 // Points of a grid, in any order; a place without one is a hole. Points form a grid if at least a quarter of its places have
 // one and a third of them have neighbours along both axes. Two of one height at one place count once, of two heights they are
-// an error. The grid's size is limited, its range not set; its note has columns left out, holes and repeated points, as the
-// end of a sentence. `guessed`: an error says how to say that the file is no list of points.
-[[nodiscard]] base::Result<HeightGrid> read_points(const HeightText& text, const PointColumns& columns, bool guessed, std::string_view source);
+// an error. Points that form no grid are a net if blank lines separate them into blocks of equal length, and otherwise an error,
+// unless the options ask for a triangulation. The range is not set. The note has columns left out, holes and repeated points, as
+// the end of a sentence. `guessed`: an error says how to say that the file is no list of points.
+[[nodiscard]] base::Result<HeightSurface> read_points(const HeightText& text, const PointColumns& columns, bool guessed, const GridFileOptions& options,
+                                                      std::string_view source);
 
 }  // namespace sightline::scene

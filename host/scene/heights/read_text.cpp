@@ -16,7 +16,7 @@ namespace sightline::scene {
 namespace {
 
 // A line of a table begins with its place.
-constexpr std::size_t most_fields = largest_grid.points + 1;
+constexpr std::size_t most_fields = largest_file_grid.points + 1;
 // Of the largest grid as points: x y z and five more columns.
 constexpr std::size_t most_numbers = 8 * largest_grid.points * largest_grid.slices;
 constexpr std::string_view blanks = " \t";
@@ -197,7 +197,7 @@ class LineReader {
         ++column;
       }
       if (separator_ends_line_ && end == text.size() && field.empty()) break;
-      if (fields_.size() == most_fields) return fail(line.number, column, "more than 1024 fields", "at most 1024");
+      if (fields_.size() == most_fields) return fail(line.number, column, "more than " + std::to_string(most_fields) + " fields", "at most that");
       fields_.push_back({field, column});
       begin = end + 1;
     }
@@ -257,8 +257,6 @@ std::optional<base::Error> unequal_lines(const HeightLine& first, std::span<cons
   return std::nullopt;
 }
 
-std::string shortest_text(double number) { return base::shortest_number(number); }
-
 base::Result<HeightText> read_height_text(std::string_view text, std::string_view source) {
   const std::vector<RawLine> lines = raw_lines(text);
   const base::Error nothing{std::string(source), "", "no line of numbers", "at least two"};
@@ -272,8 +270,8 @@ base::Result<HeightText> read_height_text(std::string_view text, std::string_vie
     if (!reader.read(line, fields, result.words)) return reader.error();
     numbers += fields.fields.size();
     if (numbers > most_numbers + lines.size()) {
-      return base::Error{std::string(source), place_of(line.number, 1), "more numbers than a file of the largest grid has",
-                         "at most 1024 slices of 1024 points"};
+      return base::Error{std::string(source), place_of(line.number, 1), "more than " + std::to_string(most_numbers) + " numbers", "at most that",
+                         "thin the file, or save it in a grid format, such as an ESRI ASCII grid, and use --thin"};
     }
     result.lines.push_back(std::move(fields));
   }

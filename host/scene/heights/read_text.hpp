@@ -43,7 +43,7 @@ struct HeightText {
   [[nodiscard]] bool has_heading() const { return !heading.names.empty(); }
 };
 
-// More than 1025 fields in a line (a table of 1024 columns has so many) or a file without numbers is an error.
+// Too many fields in a line, too many numbers or a file without numbers is an error.
 [[nodiscard]] base::Result<HeightText> read_height_text(std::string_view text, std::string_view source);
 
 // The error that names the first line which has not as many fields as `first`; none: all have.
@@ -51,9 +51,6 @@ struct HeightText {
 
 // "line:column"
 [[nodiscard]] std::string place_of(std::size_t line, std::size_t column);
-
-// A number as the shortest text that reads back the same.
-[[nodiscard]] std::string shortest_text(double number);
 
 // "1 line", "2 lines"
 [[nodiscard]] std::string count_of(std::size_t n, std::string_view what);

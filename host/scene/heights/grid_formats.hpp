@@ -1,0 +1,30 @@
+// The formats of grid files that say what they are, a row each. All other files are texts of numbers (read_grid.hpp).
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "host/base/result.hpp"
+#include "host/scene/heights/grid.hpp"
+
+namespace sightline::scene {
+
+struct GridFormat {
+  std::string_view name;  // in messages
+  // `source`: the file's name.
+  bool (*recognises)(std::string_view bytes, std::string_view source);
+  // The grid without its range.
+  base::Result<HeightGrid> (*read)(std::string_view bytes, std::string_view source);
+};
+
+// In the order in which they are tried. `bytes` has no byte order mark.
+[[nodiscard]] std::span<const GridFormat> grid_formats();
+// Null: none of them.
+[[nodiscard]] const GridFormat* grid_format_of(std::string_view bytes, std::string_view source);
+
+// "a TIFF image": a known format by its first bytes that no reader of grids takes. Empty: none of them.
+[[nodiscard]] std::string_view foreign_format_of(std::string_view text);
+// The same, or "binary data" or a list in brackets: anything that is no text of numbers.
+[[nodiscard]] std::string_view unread_format_of(std::string_view text);
+
+}  // namespace sightline::scene
