@@ -1,4 +1,4 @@
-// The function that `sightline skala` draws: by name, from a grid file, or as an expression.
+// The function of a command that draws functions of two variables: by name, from a grid file, or as an expression.
 #pragma once
 
 #include <functional>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/scene/heights/grid.hpp"
+#include "host/scene/heights/surface_net.hpp"
 
 namespace sightline::app {
 
@@ -19,6 +20,10 @@ struct SkalaSource {
   std::string y_range;                // of the second variable, whatever its name
   std::vector<std::string> columns;   // of a file of points: x, y, height; empty: as its content says
   std::string layout;                 // of a file: "matrix", "table", "points"; empty: as its content says
+  std::optional<double> nodata;       // of a file: heights that are holes
+  std::optional<std::size_t> thin;    // of a file: every n-th point
+  bool triangulate = false;           // of a file of points
+  bool nets = false;                  // a file may be a net of curves
   std::optional<std::size_t> points;  // only where there is something to sample
   std::optional<std::size_t> slices;
 };
@@ -29,10 +34,12 @@ struct SkalaFunction {
   scene::HeightGrid grid;
   // The same function at another size; empty where nothing is between the points.
   std::function<scene::HeightGrid(scene::GridSize)> sampled{};
+  // A file's net of curves, which is no function of x and y: `grid` then has only its size and its ranges.
+  std::optional<scene::SurfaceNet> net{};
 };
 
-// One line on standard error if the layout of a file was guessed. A file "-" is standard input. Sampled at the size asked for, else
-// at `usual`; a file has its own size. Error usage: no function, two, options that do not go with it, an expression or domain with
+// One line on standard error if the layout of a file was guessed, or if it was thinned or triangulated. A file "-" is standard input.
+// Sampled at the size asked for, else at `usual`, and so are points that are triangulated; other files have their own size. Error usage: no function, two, options that do not go with it, an expression or domain with
 // an error. Error io: neither a name nor a file. Error bad_input: the file is wrong.
 [[nodiscard]] SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usual);
 
