@@ -58,8 +58,9 @@ Interval middles(std::optional<double> corner, std::optional<double> center, dou
 
 bool is_esri_grid(std::string_view bytes, std::string_view /*source*/) {
   std::string_view rest = base::without_blanks(bytes.substr(0, 1000));
-  const std::string first = base::lower_case(base::take_word(rest));
-  return (first == "ncols" || first == "nrows") && base::decimal_number(base::take_word(rest)).has_value();
+  std::string_view line = base::without_blanks(base::take_line(rest));
+  const std::string first = base::lower_case(base::take_word(line));
+  return (first == "ncols" || first == "nrows") && !line.empty() && line.find_first_of(" \t") == std::string_view::npos;
 }
 
 base::Result<HeightGrid> read_esri_grid(std::string_view bytes, std::string_view source) {

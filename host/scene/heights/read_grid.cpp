@@ -221,7 +221,7 @@ void remove_nodata(HeightGrid& grid, double nodata) {
   // Files of floats have a large value with fewer digits than a person types, or the other way round.
   constexpr double beyond_heights = 1e30;
   const auto is_none = [nodata](double height) {
-    return height == nodata || (std::abs(nodata) > beyond_heights && std::abs(height - nodata) <= 1e-6 * std::abs(nodata));
+    return height == nodata || (std::abs(nodata) > beyond_heights && std::abs(height - nodata) <= 1e-5 * std::abs(nodata));
   };
   std::replace_if(grid.heights.begin(), grid.heights.end(), is_none, std::numeric_limits<double>::quiet_NaN());
 }

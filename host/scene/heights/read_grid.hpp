@@ -12,8 +12,8 @@
 //   matrix   Anything else with as many fields in every line. A line is a slice, the first one nearest to an eye that looks
 //            along +z. Places are counted from 0.
 //
-// Points over a grid, in blocks or not, become a HeightGrid. Other blocks of equal length are the curves of a SurfaceNet, as gnuplot has
-// them. Other points are an error, unless they are to be triangulated; they are never a matrix. GridFileOptions say which layout it
+// Points over a grid, in blocks or not, become a HeightGrid. Blocks of equal length along which x and y change, or whose points form
+// no grid, are the curves of a SurfaceNet, as gnuplot has them. Other points are an error, unless they are to be triangulated; they are never a matrix. GridFileOptions say which layout it
 // is where a person knows it. A layout that neither the format, nor a heading, nor the options tell is said in the note.
 //
 // Fields are separated by semicolons, commas, tabs or blanks: the first of these that the file has. An empty field is a hole.

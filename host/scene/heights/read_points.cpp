@@ -66,19 +66,44 @@ class Points {
   Points(const HeightText& text, const PointColumns& columns, bool guessed, const GridFileOptions& options, std::string_view source)
       : text_(text), columns_(columns), guessed_(guessed), options_(options), source_(source) {}
 
-  // A grid if the points form one, else a net if they are in blocks.
+  // A grid if the points form one, else a net if they are in blocks. Blocks in which x and y change are curves, even where a grid has
+  // a place for each point.
   base::Result<HeightSurface> surface() {
     if (auto error = why_no_points()) return *error;
     if (options_.triangulate) return triangulated();
-    auto read = grid();
-    if (read) return HeightSurface(std::move(*read));
-    if (!in_blocks()) return std::move(read.error());
+    if (!in_blocks()) return grid_surface();
     auto curves = net();
+    if (curves && turns()) return HeightSurface(std::move(*curves));
+    auto read = grid_surface();
+    if (read) return read;
     if (curves) return HeightSurface(std::move(*curves));
     return std::move(curves.error());
   }
 
  private:
+  base::Result<HeightSurface> grid_surface() {
+    auto read = grid();
+    if (!read) return std::move(read.error());
+    return HeightSurface(std::move(*read));
+  }
+  // Is there a block along which both x and y change?
+  bool turns() {
+    const Places x(values(0));
+    const Places y(values(1));
+    const HeightLine* first = nullptr;
+    bool x_changes = false;
+    bool y_changes = false;
+    for (const HeightLine& line : text_.lines) {
+      if (first == nullptr || line.after_blank) {
+        first = &line;
+        x_changes = y_changes = false;
+      }
+      x_changes = x_changes || x.index(value(line, 0)) != x.index(value(*first, 0));
+      y_changes = y_changes || y.index(value(line, 1)) != y.index(value(*first, 1));
+      if (x_changes && y_changes) return true;
+    }
+    return false;
+  }
   base::Result<HeightGrid> grid() {
     const Places x(values(0));
     const Places y(values(1));

@@ -73,7 +73,9 @@ void expect_delaunay(const std::vector<Point2>& points) {
     std::sort(list->begin(), list->end());
     list->erase(std::unique(list->begin(), list->end()), list->end());
   }
-  if (!triangles.empty()) EXPECT_EQ(all, used);
+  if (!triangles.empty()) {
+    EXPECT_EQ(all, used);
+  }
 }
 
 TEST(Delaunay, RandomPoints) {
@@ -127,8 +129,11 @@ TEST(Interpolated, HolesOutsideOfTheHull) {
   ASSERT_TRUE(grid);
   for (std::size_t slice = 0; slice < 5; ++slice)
     for (std::size_t point = 0; point < 5; ++point) {
-      if (point + slice > 4) EXPECT_TRUE(std::isnan(grid->height(point, slice)));
-      else EXPECT_NEAR(grid->height(point, slice), 1 + static_cast<double>(point) / 4 + static_cast<double>(slice) / 2, 1e-9);
+      if (point + slice > 4) {
+        EXPECT_TRUE(std::isnan(grid->height(point, slice)));
+      } else {
+        EXPECT_NEAR(grid->height(point, slice), 1 + static_cast<double>(point) / 4 + static_cast<double>(slice) / 2, 1e-9);
+      }
     }
   EXPECT_EQ(grid->note, "3 points, 1 triangle, a grid of 5 x 5, 10 places outside of the points");
 }

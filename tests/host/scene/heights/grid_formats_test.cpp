@@ -85,7 +85,7 @@ TEST(SurferBinary, Damaged) {
 TEST(GridHeaders, Absurd) {
   const std::string rest = "\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3 4\n";
   for (const char* count : {"0", "1", "-2", "2.5", "1e3", "nan", "inf", "99999999999999999999", "32768"})
-    EXPECT_EQ(error_of("ncols " + std::string(count) + rest).substr(0, 9), count == std::string("nan") || count == std::string("inf") ? "grid:1:1:" : "grid:1:7:") << count;
+    EXPECT_EQ(error_of("ncols " + std::string(count) + rest).substr(0, 9), "grid:1:7:") << count;
   // More than any file has: found where the file ends, without memory for it.
   EXPECT_EQ(error_of("ncols 32767\nnrows 32767\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3 4\n"), "grid:7:1: found the end of the file, expected a height");
   EXPECT_EQ(error_of("DSAA\n32767 32767\n0 1\n0 1\n0 1\n1 2 3 4\n"), "grid:7:1: found the end of the file, expected a height");
