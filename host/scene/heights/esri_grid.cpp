@@ -57,8 +57,8 @@ Interval middles(std::optional<double> corner, std::optional<double> center, dou
 }  // namespace
 
 bool is_esri_grid(std::string_view bytes, std::string_view /*source*/) {
-  std::string_view rest = base::without_blanks(bytes.substr(0, 1000));
-  std::string_view line = base::without_blanks(base::take_line(rest));
+  const std::string_view beginning = base::without_blanks(bytes.substr(0, 1000));
+  std::string_view line = beginning.substr(0, beginning.find_first_of("\r\n"));
   const std::string first = base::lower_case(base::take_word(line));
   return (first == "ncols" || first == "nrows") && !line.empty() && line.find_first_of(" \t") == std::string_view::npos;
 }

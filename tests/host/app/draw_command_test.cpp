@@ -110,7 +110,7 @@ TEST_F(DrawCommand, ANetOfCurves) {
   const auto json = nlohmann::json::parse(ran.out);
   EXPECT_EQ(json["x_range"], (std::vector<double>{0, 1}));
   EXPECT_EQ(json["height_range"], (std::vector<double>{0, 1}));
-  EXPECT_EQ(json["counts"]["lines"], 4) << "the border and the middle line, the corners joined";
+  EXPECT_EQ(json["counts"]["lines"], 2) << "the border, a closed line, and the curve in the middle, where the surface bends";
   expect_usage_error_beside({"draw", "skala", "net.dat", "--picture", "contours", "-o", "t.svg"}, "net.dat is a net of curves");
   expect_usage_error_beside({"draw", "skala", "net.dat", "--axes", "-o", "t.svg"}, "net.dat is a net of curves");
   const auto other = sightline({"skala", "lines", "net.dat", "-o", "p"});
