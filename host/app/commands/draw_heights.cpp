@@ -48,7 +48,7 @@ struct DrawHeightsArguments {
   DrawOutput output;
 };
 
-// By the names the options take; empty: not given.
+// By the names of the option's values; empty: not given.
 Subject subject_named(const std::string& name) {
   if (name == "surface") return Subject::surface;
   return name == "contours" ? Subject::contours : Subject::lines;
@@ -153,7 +153,7 @@ void print_drawing(const registry::HeightAlgorithm& algorithm, const DrawHeights
     document["levels"] = levels.empty() ? Json(arguments.view.levels) : numbers(levels);
   }
   if (plot) document["plot"] = *plot;
-  // Names of functions and files come from the user: what is no UTF-8 is shown as far as it can be.
+  // Names of functions and files come from the user and need not be UTF-8.
   print_json(document);
 }
 
@@ -166,7 +166,7 @@ void read_view(DrawHeightsArguments& arguments, hidden_lines::Format format) {
   require_angles(view.rotation, view.elevation);
   view.visibility = !arguments.no_visibility;
   view.rims = !arguments.no_rims;
-  // Without it a contour would end in the middle of nowhere where the surface turns away, and a net where a cell is folded.
+  // Without the silhouette, contours would end at nothing where the surface turns away, and lines of the net where a cell is folded.
   const bool needs_silhouette = view.subject == Subject::contours || (view.subject == Subject::surface && view.net);
   view.silhouette = arguments.silhouette || (needs_silhouette && !arguments.no_silhouette);
   if (arguments.colours == "heights") view.colouring = algorithms::skala::Colouring::heights;
@@ -208,7 +208,7 @@ void read_page(DrawHeightsArguments& arguments, const SkalaFunction& function, h
   for (std::size_t i = 0; i < arguments.axis_names.size(); ++i) figure.names[i] = arguments.axis_names[i];
 }
 
-// Where there are more layers than pens, the contours of all levels are one, and so are those of the floor.
+// If there are more layers than pens, the contours of all levels share a layer, and so do those of the floor.
 void join_levels(picture::VectorDrawing& drawing, const DrawOutput& output) {
   const std::size_t pens = !output.pens.empty()           ? output.pens.size()
                            : output.plotter() != nullptr ? static_cast<std::size_t>(output.plotter()->pens)
@@ -226,11 +226,11 @@ void join_levels(picture::VectorDrawing& drawing, const DrawOutput& output) {
   drawing.layers = std::move(layers);
 }
 
-// The surfaces, all with the range of all; the result is the first one, with the names of all.
+// Loads the surfaces and gives all of them the range of all. The result is the first one, with the names of all.
 SkalaFunction load_all(const DrawHeightsArguments& arguments, std::vector<scene::HeightGrid>& grids) {
   constexpr scene::GridSize usual{65, 65};
   std::vector<std::string> names = arguments.grids;
-  // One of --function, or nothing, which is said there.
+  // The empty name stands for --function. Without one, load_skala_function reports that there is nothing to draw.
   if (names.empty() || !arguments.source.expression.empty()) names.emplace_back();
   SkalaFunction all;
   for (std::size_t i = 0; i < names.size(); ++i) {

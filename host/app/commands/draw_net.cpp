@@ -26,7 +26,8 @@ scene::PolyCamera camera_of(const scene::PolyScene& scene, const NetView& view) 
 }  // namespace
 
 picture::VectorDrawing draw_net(const scene::SurfaceNet& net, const NetView& view, const std::string& name) {
-  const auto scene = value_of(hidden_lines::load(scene::mesh_of(net, {view.sides.x, view.sides.z, view.sides.height}, name)), name);
+  const auto scene =
+      value_of(hidden_lines::load(scene::mesh_of(net, {view.sides.x, view.sides.z, view.sides.height}, name)), name);
   hidden_lines::ViewOptions options;
   // No edge is a crease: a line of the net is a wire however its cells bend there, and a diagonal of a cell is no line.
   options.edges.kinds = "silhouette,boundary,junction,wire";

@@ -34,7 +34,7 @@ scene::GridSize size_of(const SkalaSource& source, scene::GridSize usual) {
   return {source.points.value_or(usual.points), source.slices.value_or(usual.slices)};
 }
 
-// What of `usual` is not asked for otherwise.
+// `usual`, as far as no option says otherwise.
 scene::HeightDomain domain_of(const SkalaSource& source, scene::HeightDomain usual) {
   const auto read = [](const std::string& text, const char* option, scene::Interval otherwise) {
     return text.empty() ? otherwise : checked(scene::read_domain(text, option), base::ErrorKind::usage);
@@ -97,7 +97,7 @@ void take_surface(base::Result<scene::HeightSurface> read, bool nets, SkalaFunct
   function.grid = grid_of(*function.net);
 }
 
-// `size`: of points that are triangulated.
+// `size`: the sampling of triangulated points.
 SkalaFunction from_file(const SkalaSource& source, scene::GridSize size) {
   const std::string& file = source.name_or_file;
   std::error_code unknown;

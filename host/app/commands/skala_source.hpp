@@ -24,7 +24,7 @@ struct SkalaSource {
   std::optional<std::size_t> thin;    // of a file: every n-th point
   bool triangulate = false;           // of a file of points
   bool nets = false;                  // a file may be a net of curves
-  std::optional<std::size_t> points;  // only where there is something to sample
+  std::optional<std::size_t> points;  // of a function or of triangulated points
   std::optional<std::size_t> slices;
 };
 
@@ -32,18 +32,19 @@ struct SkalaFunction {
   std::string name;
   std::string stem;  // for names of files
   scene::HeightGrid grid;
-  // The same function at another size; empty where nothing is between the points.
+  // The same function at another size; empty if it has no values between the points.
   std::function<scene::HeightGrid(scene::GridSize)> sampled{};
   // A file's net of curves, which is no function of x and y: `grid` then has only its size and its ranges.
   std::optional<scene::SurfaceNet> net{};
 };
 
 // One line on standard error if the layout of a file was guessed, or if it was thinned or triangulated. A file "-" is standard input.
-// Sampled at the size asked for, else at `usual`, and so are points that are triangulated; other files have their own size. Error usage: no function, two, options that do not go with it, an expression or domain with
-// an error. Error io: neither a name nor a file. Error bad_input: the file is wrong.
+// Functions and triangulated points are sampled at the size of the source, or at `usual`; other files have their own size.
+// Error usage: no function, two of them, options that do not apply, a wrong expression or domain. Error io: neither a name nor a file.
+// Error bad_input: the file is wrong.
 [[nodiscard]] SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usual);
 
-// Whether a name among scenes and functions is that of a function: its name, or a file whose ending is none of a scene.
+// Whether a name is that of a function, or of a file that is no scene by its ending.
 [[nodiscard]] bool is_height_function(const std::string& name);
 
 }  // namespace sightline::app

@@ -56,7 +56,7 @@ Json scene_json(const scene::LoadedScene& loaded) {
                 {"up", vector_json(scene.camera.up)}}}};
 }
 
-// Exact: an edge by its vertices, then the two ends of the piece as fractions; what two builds are compared by.
+// Exact, for comparisons of two builds: an edge by its vertices, then the two ends of the piece as fractions.
 Json pieces_json(const picture::LinePicture& picture) {
   Json pieces = Json::array();
   for (const auto& piece : picture.pieces) {
@@ -83,7 +83,7 @@ std::string grid_text(const Workbench& workbench, const std::string& name) {
   return bytes != nullptr ? std::string(bytes->begin(), bytes->end()) : std::string();
 }
 
-// In one line, as the page shows it.
+// One line, for the page.
 std::string message_of(const base::Error& error) {
   return fmt::format("{}: column {}: found {}, expected {}", error.file, error.place, error.found, error.expected);
 }
@@ -153,7 +153,7 @@ Json check_expression(const Json& request) {
   return parsed ? Json{{"second", std::string(1, parsed->second())}} : refusal(message_of(parsed.error()));
 }
 
-// What hiding costs: the drawing time of the picture with its hidden lines removed, and of all its lines, on the same machine.
+// The drawing time of the picture with hidden lines removed, and with all lines, on the same machine.
 Json cost(Workbench& workbench, const Json& request) {
   const auto grid = grid_of(workbench, request);
   if (!grid) return refusal(grid.error().message());

@@ -46,7 +46,8 @@ class Triangulation {
       const Edge g = left_next(f);
       const std::array<std::uint32_t, 3> corners{origin_[e], origin_[f], origin_[g]};
       // Each face is met three times, and written where its first corner is the least.
-      if (left_next(g) != e || corners[0] > std::min(corners[1], corners[2]) || turn(corners[0], corners[1], corners[2]) <= 0) continue;
+      if (left_next(g) != e || corners[0] > std::min(corners[1], corners[2]) || turn(corners[0], corners[1], corners[2]) <= 0)
+        continue;
       result.push_back(corners);
     }
     return result;
@@ -156,8 +157,8 @@ class Triangulation {
       const bool left_above = above(on_left, base);
       const bool right_above = above(on_right, base);
       if (!left_above && !right_above) break;
-      const bool take_right =
-          !left_above || (right_above && inside(destination(on_left), origin_[on_left], origin_[on_right], destination(on_right)));
+      const bool take_right = !left_above || (right_above && inside(destination(on_left), origin_[on_left], origin_[on_right],
+                                                                    destination(on_right)));
       base = take_right ? connect(on_right, reversed(base)) : connect(reversed(base), reversed(on_left));
     }
     return {left.from_left, right.from_right};
@@ -175,8 +176,10 @@ std::vector<std::array<std::uint32_t, 3>> delaunay(std::span<const Point2> point
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
   // The number decides between equal points, of which the first one stays.
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return points[a] != points[b] ? points[a] < points[b] : a < b; });
-  order.erase(std::unique(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return points[a] == points[b]; }), order.end());
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return points[a] != points[b] ? points[a] < points[b] : a < b; });
+  order.erase(std::unique(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return points[a] == points[b]; }),
+              order.end());
   if (order.size() < 3) return {};
   std::vector<Point2> sorted;
   sorted.reserve(order.size());

@@ -14,7 +14,8 @@
 namespace sightline::scene {
 
 // Positive if d is inside of the circle through a, b, c, which turn counterclockwise; 0 on it.
-[[nodiscard]] int in_circle(const geometry::Point2& a, const geometry::Point2& b, const geometry::Point2& c, const geometry::Point2& d);
+[[nodiscard]] int in_circle(const geometry::Point2& a, const geometry::Point2& b, const geometry::Point2& c,
+                            const geometry::Point2& d);
 
 // Counterclockwise triangles of the points' numbers, which cover their convex hull. Coordinates below
 // geometry::predicate_coordinate_limit. Of equal points one takes part. None if all points are on a line.

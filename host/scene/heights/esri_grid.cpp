@@ -60,7 +60,10 @@ bool is_esri_grid(std::string_view bytes, std::string_view /*source*/) {
   const std::string_view beginning = base::without_blanks(bytes.substr(0, 1000));
   std::string_view line = beginning.substr(0, beginning.find_first_of("\r\n"));
   const std::string first = base::lower_case(base::take_word(line));
-  return (first == "ncols" || first == "nrows") && !line.empty() && line.find_first_of(" \t") == std::string_view::npos;
+  const bool two_words = !line.empty() && line.find_first_of(" \t") == std::string_view::npos;
+  if (first == keys[ncols] || first == keys[nrows]) return two_words;
+  // Two names of columns are a heading of numbers: dx dy.
+  return two_words && std::find(keys.begin(), keys.end(), first) != keys.end() && base::decimal_number(line);
 }
 
 base::Result<HeightGrid> read_esri_grid(std::string_view bytes, std::string_view source) {

@@ -11,7 +11,7 @@
 
 namespace sightline::scene {
 
-// Does the file begin with a line of two words, of which the first one is ncols or nrows?
+// Does the file begin with a line of a key and its value?
 [[nodiscard]] bool is_esri_grid(std::string_view bytes, std::string_view source);
 // The grid without its range.
 [[nodiscard]] base::Result<HeightGrid> read_esri_grid(std::string_view bytes, std::string_view source);

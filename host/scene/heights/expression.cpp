@@ -130,8 +130,8 @@ class ExpressionParser {
     }
     const auto strange = std::find_if(text_.begin(), text_.end(), [](char c) { return c < ' ' || c > '~'; });
     if (strange != text_.end()) {
-      return base::Error{std::string(source_), std::to_string(strange - text_.begin() + 1), "a character that is not printable ASCII",
-                         "an expression of x and y, or of x and z"};
+      return base::Error{std::string(source_), std::to_string(strange - text_.begin() + 1),
+                         "a character that is not printable ASCII", "an expression of x and y, or of x and z"};
     }
     read_choice();
     if (!error_ && skip_blanks() < text_.size()) fail_here("an operator or the end");
@@ -250,7 +250,8 @@ class ExpressionParser {
     }
     if (name == "pi") return push(std::numbers::pi);
     if (name == "e") return push(std::numbers::e);
-    const auto function = std::find_if(named_functions.begin(), named_functions.end(), [name](const NamedFunction& each) { return each.name == name; });
+    const auto function = std::find_if(named_functions.begin(), named_functions.end(),
+                                       [name](const NamedFunction& each) { return each.name == name; });
     if (function == named_functions.end()) {
       return fail(place, "the unknown name " + std::string(name), "x, y or z, pi, e or a function: " + names_of_functions());
     }
@@ -310,7 +311,8 @@ base::Result<HeightGrid> sample_expression(const std::string& expression, const 
   HeightGrid grid = sample_values(*value, domain, size);
   grid.names = {"x", std::string(1, value->second()), ""};
   if (anywhere_finite(grid.heights)) return grid;
-  return base::Error{std::string(source), "1", "a function that is nowhere finite on its domain", "a number at some place", "", "  " + expression + "\n  ^"};
+  return base::Error{std::string(source),      "1", "a function that is nowhere finite on its domain",
+                     "a number at some place", "",  "  " + expression + "\n  ^"};
 }
 
 base::Result<Interval> read_domain(const std::string& text, std::string_view source) {

@@ -21,8 +21,8 @@
 namespace sightline::scene {
 
 inline constexpr std::size_t longest_expression = 1024;
-inline constexpr std::size_t deepest_expression = 100;   // parentheses, signs, powers and choices within each other
-inline constexpr Interval expression_domain{-10, 10};  // of both variables, if no other is given
+inline constexpr std::size_t deepest_expression = 100;  // parentheses, signs, powers and choices within each other
+inline constexpr Interval expression_domain{-10, 10};   // of both variables, if no other is given
 
 // An expression as a program for a stack of numbers.
 class Expression {
@@ -41,7 +41,7 @@ class Expression {
   friend class ExpressionParser;
   struct Step {
     enum class Kind : std::uint8_t { number, x, second, operation } kind = Kind::number;
-    std::size_t count = 0;           // of the values that the operation takes from the stack
+    std::size_t count = 0;  // of the values that the operation takes from the stack
     double number = 0;
     Operation operation = nullptr;
   };
@@ -52,13 +52,11 @@ class Expression {
 
 // Sampled as the functions by name are. `source` is named in errors. An expression that is nowhere finite on the grid is an
 // error, too. The grid's names are those of the variables.
-[[nodiscard]] base::Result<HeightGrid> sample_expression(const std::string& expression, const HeightDomain& domain,
-                                                         GridSize size,
+[[nodiscard]] base::Result<HeightGrid> sample_expression(const std::string& expression, const HeightDomain& domain, GridSize size,
                                                          std::string_view source = "--function");
 
 // "A:B" with finite A < B.
-[[nodiscard]] base::Result<Interval> read_domain(const std::string& text,
-                                                 std::string_view source = "--domain");
+[[nodiscard]] base::Result<Interval> read_domain(const std::string& text, std::string_view source = "--domain");
 
 // Within smallest_grid and largest_grid, or why not.
 [[nodiscard]] base::Result<GridSize> check_size(GridSize size, std::string_view source);

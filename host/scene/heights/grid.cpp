@@ -36,7 +36,8 @@ std::optional<std::vector<double>> positions_of(const std::vector<double>& ascen
   return positions;
 }
 
-base::Result<HeightGrid> even_grid(HeightDomain domain, GridSize size, std::vector<double> heights, RowOrder order, std::string_view source) {
+base::Result<HeightGrid> even_grid(HeightDomain domain, GridSize size, std::vector<double> heights, RowOrder order,
+                                   std::string_view source) {
   for (const Interval& each : {domain.x, domain.z}) {
     const double half = each.high / 2 - each.low / 2;
     if (std::isfinite(half) && half >= std::numeric_limits<double>::min()) continue;

@@ -21,7 +21,8 @@ constexpr std::array<GridFormat, 4> formats{{{"an ESRI ASCII grid", is_esri_grid
 std::span<const GridFormat> grid_formats() { return formats; }
 
 const GridFormat* grid_format_of(std::string_view bytes, std::string_view source) {
-  const auto found = std::find_if(formats.begin(), formats.end(), [&](const GridFormat& format) { return format.recognises(bytes, source); });
+  const auto found =
+      std::find_if(formats.begin(), formats.end(), [&](const GridFormat& format) { return format.recognises(bytes, source); });
   return found == formats.end() ? nullptr : &*found;
 }
 
@@ -32,20 +33,20 @@ std::string_view foreign_format_of(std::string_view text) {
     std::string_view name;
   };
   constexpr std::array<Format, 15> others{{{"DSRB"sv, "a grid of Surfer 7"sv},
-                                            {"CDF\x01"sv, "a NetCDF file"sv},
-                                            {"CDF\x02"sv, "a NetCDF file"sv},
-                                            {"\x89HDF"sv, "an HDF5 or NetCDF file"sv},
-                                            {"II*\0"sv, "a TIFF image"sv},
-                                            {"MM\0*"sv, "a TIFF image"sv},
-                                            {"\x89PNG"sv, "a PNG image"sv},
-                                            {"\xFF\xD8\xFF"sv, "a JPEG image"sv},
-                                            {"GIF8"sv, "a GIF image"sv},
-                                            {"%PDF"sv, "a PDF document"sv},
-                                            {"\x1F\x8B"sv, "a file compressed by gzip"sv},
-                                            {"PK\x03\x04"sv, "a zip archive, such as a spreadsheet"sv},
-                                            {"\xFF\xFE"sv, "text in UTF-16"sv},
-                                            {"\xFE\xFF"sv, "text in UTF-16"sv},
-                                            {"north:"sv, "a GRASS ASCII grid"sv}}};
+                                           {"CDF\x01"sv, "a NetCDF file"sv},
+                                           {"CDF\x02"sv, "a NetCDF file"sv},
+                                           {"\x89HDF"sv, "an HDF5 or NetCDF file"sv},
+                                           {"II*\0"sv, "a TIFF image"sv},
+                                           {"MM\0*"sv, "a TIFF image"sv},
+                                           {"\x89PNG"sv, "a PNG image"sv},
+                                           {"\xFF\xD8\xFF"sv, "a JPEG image"sv},
+                                           {"GIF8"sv, "a GIF image"sv},
+                                           {"%PDF"sv, "a PDF document"sv},
+                                           {"\x1F\x8B"sv, "a file compressed by gzip"sv},
+                                           {"PK\x03\x04"sv, "a zip archive, such as a spreadsheet"sv},
+                                           {"\xFF\xFE"sv, "text in UTF-16"sv},
+                                           {"\xFE\xFF"sv, "text in UTF-16"sv},
+                                           {"north:"sv, "a GRASS ASCII grid"sv}}};
   for (const Format& format : others)
     if (text.substr(0, format.beginning.size()) == format.beginning) return format.name;
   return {};

@@ -1,4 +1,4 @@
-// The formats of grid files that say what they are, a row each. All other files are texts of numbers (read_grid.hpp).
+// The list of grid formats that have a header or a known size. All other files of heights are texts of numbers (read_grid.hpp).
 #pragma once
 
 #include <span>
@@ -22,9 +22,9 @@ struct GridFormat {
 // Null: none of them.
 [[nodiscard]] const GridFormat* grid_format_of(std::string_view bytes, std::string_view source);
 
-// "a TIFF image": a known format by its first bytes that no reader of grids takes. Empty: none of them.
+// "a TIFF image": the name of a format that is recognised by its first bytes and cannot be read. Empty: none of them.
 [[nodiscard]] std::string_view foreign_format_of(std::string_view text);
-// The same, or "binary data" or a list in brackets: anything that is no text of numbers.
+// The same, or "binary data", or a list in brackets.
 [[nodiscard]] std::string_view unread_format_of(std::string_view text);
 
 }  // namespace sightline::scene

@@ -10,26 +10,26 @@
 namespace sightline::scene {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n";
+constexpr std::string_view between_words = " \t\r\n";
 
 }  // namespace
 
 const double GridWords::no_height = std::numeric_limits<double>::quiet_NaN();
 
 GridWord GridWords::next() {
-  for (; at_ < text_.size() && blanks.find(text_[at_]) != std::string_view::npos; ++at_) {
+  for (; at_ < text_.size() && between_words.find(text_[at_]) != std::string_view::npos; ++at_) {
     if (text_[at_] != '\n') continue;
     ++line_;
     line_begin_ = at_ + 1;
   }
   const std::size_t begin = at_;
-  at_ = std::min(text_.find_first_of(blanks, begin), text_.size());
+  at_ = std::min(text_.find_first_of(between_words, begin), text_.size());
   return {text_.substr(begin, at_ - begin), line_, begin - line_begin_ + 1};
 }
 
 std::string_view GridWords::peek() const {
-  const std::size_t begin = std::min(text_.find_first_not_of(blanks, at_), text_.size());
-  return text_.substr(begin, std::min(text_.find_first_of(blanks, begin), text_.size()) - begin);
+  const std::size_t begin = std::min(text_.find_first_not_of(between_words, at_), text_.size());
+  return text_.substr(begin, std::min(text_.find_first_of(between_words, begin), text_.size()) - begin);
 }
 
 bool GridWords::at_nan() const {
@@ -71,7 +71,9 @@ double GridWords::height() {
 
 void GridWords::expect_end(std::size_t heights) {
   const GridWord word = next();
-  if (!word.text.empty()) fail(word, "the end of the file after " + std::to_string(heights) + " heights", "correct the numbers of columns and rows in the header");
+  if (!word.text.empty())
+    fail(word, "the end of the file after " + std::to_string(heights) + " heights",
+         "correct the numbers of columns and rows in the header");
 }
 
 void GridWords::fail(const GridWord& word, const std::string& expected, const std::string& remedy) {
@@ -80,7 +82,8 @@ void GridWords::fail(const GridWord& word, const std::string& expected, const st
   std::string found = word.text.empty() ? "the end of the file" : "'";
   for (const char c : word.text.substr(0, most)) found += c >= ' ' && c <= '~' ? c : '?';
   if (!word.text.empty()) found += word.text.size() > most ? "...'" : "'";
-  error_ = base::Error{source_, std::to_string(word.line) + ":" + std::to_string(word.column), std::move(found), expected, remedy};
+  error_ =
+      base::Error{source_, std::to_string(word.line) + ":" + std::to_string(word.column), std::move(found), expected, remedy};
 }
 
 }  // namespace sightline::scene

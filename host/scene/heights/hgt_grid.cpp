@@ -29,7 +29,8 @@ std::optional<std::array<double, 2>> corner_in_name(std::string_view source) {
   const auto east = base::whole_number<int>(text.substr(4, 3), 10, 0, 180);
   const bool letters = (text[0] == 'n' || text[0] == 's') && (text[3] == 'e' || text[3] == 'w');
   if (!north || !east || !letters) return std::nullopt;
-  return std::array<double, 2>{static_cast<double>(text[3] == 'e' ? *east : -*east), static_cast<double>(text[0] == 'n' ? *north : -*north)};
+  return std::array<double, 2>{static_cast<double>(text[3] == 'e' ? *east : -*east),
+                               static_cast<double>(text[0] == 'n' ? *north : -*north)};
 }
 
 }  // namespace
@@ -59,7 +60,8 @@ base::Result<HeightGrid> read_hgt_grid(std::string_view bytes, std::string_view 
     heights.push_back(height == no_height ? std::numeric_limits<double>::quiet_NaN() : height);
   }
   const auto corner = corner_in_name(source).value_or(std::array<double, 2>{});
-  return even_grid({{corner[0], corner[0] + 1}, {corner[1], corner[1] + 1}}, {side, side}, std::move(heights), RowOrder::north_first, source);
+  return even_grid({{corner[0], corner[0] + 1}, {corner[1], corner[1] + 1}}, {side, side}, std::move(heights),
+                   RowOrder::north_first, source);
 }
 
 }  // namespace sightline::scene

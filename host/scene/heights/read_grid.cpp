@@ -24,7 +24,7 @@ base::Error error_in(std::string_view source, std::string place, std::string fou
   return {std::string(source), std::move(place), std::move(found), std::move(expected)};
 }
 
-// Of files that are taken for points because they have few columns: x y z, an intensity, a colour.
+// The most columns of a file that is taken for points by its number of lines: x y z, an intensity, a colour.
 constexpr std::size_t most_point_columns = 7;
 
 base::Result<HeightGrid> read_matrix(const HeightText& text, bool guessed, std::string_view source) {
@@ -43,12 +43,13 @@ base::Result<HeightGrid> read_matrix(const HeightText& text, bool guessed, std::
   grid.domain_z = {0, static_cast<double>(slices - 1)};
   if (!guessed) return grid;
   grid.note = "read as a matrix of " + count_of(slices, "row") + " and " + count_of(points, "column");
-  // As long lists of points have.
+  // A long list of points has so few columns.
   if (points >= 3 && points <= most_point_columns && slices > points) grid.note += "; if they are x y z, use --layout points";
   return grid;
 }
 
-base::Result<HeightGrid> read_as_table(const HeightLine& first, std::span<const HeightLine> others, bool guessed, std::string_view source) {
+base::Result<HeightGrid> read_as_table(const HeightLine& first, std::span<const HeightLine> others, bool guessed,
+                                       std::string_view source) {
   auto grid = read_table(first, others, source);
   if (grid && guessed) {
     grid->note = "read as a table of " + count_of(grid->slices(), "row") + " and " + count_of(grid->points(), "column") +
@@ -57,13 +58,13 @@ base::Result<HeightGrid> read_as_table(const HeightLine& first, std::span<const 
   return grid;
 }
 
-// Do blank lines separate blocks, of which the first one has two lines or more?
+// Whether blank lines separate blocks, the first of which has two lines or more.
 bool in_blocks(const HeightText& text) {
   if (text.lines.size() < 2 || text.lines[1].after_blank) return false;
   return std::any_of(text.lines.begin(), text.lines.end(), [](const HeightLine& line) { return line.after_blank; });
 }
 
-// Are the lines points by their number, or because blank lines separate blocks?
+// Whether lines of a few numbers are points: there are many of them, or blank lines separate blocks.
 bool has_few_columns(const HeightText& text) {
   const std::size_t columns = text.lines.front().fields.size();
   const std::size_t lines = text.lines.size();
@@ -108,7 +109,7 @@ base::Result<HeightSurface> surface_of(base::Result<HeightGrid> grid) {
 
 constexpr PointColumns first_columns{0, 1, 2};
 
-// The first line of a table becomes one of the others again.
+// Makes the first line of a table an ordinary line again.
 void join_first_line(HeightText& text) {
   if (!text.heading.table) return;
   text.lines.insert(text.lines.begin(), std::move(text.heading.line));
@@ -138,7 +139,8 @@ base::Result<HeightSurface> read_by_content(HeightText& text, const GridFileOpti
   }
   if (unequal) return *unequal;
   const std::span<const HeightLine> others = std::span<const HeightLine>(text.lines).subspan(1);
-  if (!text.has_heading() && is_table(text.lines.front(), others)) return surface_of(read_as_table(text.lines.front(), others, true, source));
+  if (!text.has_heading() && is_table(text.lines.front(), others))
+    return surface_of(read_as_table(text.lines.front(), others, true, source));
   if (points) return read_points(text, first_columns, true, options, source);
   if (text.lines.front().fields.size() == 1 && in_blocks(text)) return surface_of(read_column(text, source));
   auto grid = read_matrix(text, true, source);
@@ -159,7 +161,8 @@ base::Result<HeightSurface> read_layout(HeightText& text, std::string_view sourc
       text.heading.line = text.lines.front();
       text.lines.erase(text.lines.begin());
     }
-    if (text.lines.empty()) return error_in(source, "", "one line of numbers", "a line of places along x and two or more below it");
+    if (text.lines.empty())
+      return error_in(source, "", "one line of numbers", "a line of places along x and two or more below it");
     return surface_of(read_table(text.heading.line, text.lines, source));
   }
   const bool points = options.layout == GridLayout::points || !options.columns.empty() || options.triangulate;
@@ -178,12 +181,14 @@ base::Result<HeightSurface> read_layout(HeightText& text, std::string_view sourc
 base::Result<HeightSurface> read_any(std::string_view bytes, std::string_view source, const GridFileOptions& options) {
   const std::string_view text = base::without_byte_order_mark(bytes);
   if (const GridFormat* const format = grid_format_of(text, source)) {
-    if (options.columns.empty() && options.layout == GridLayout::by_content && !options.triangulate) return surface_of(format->read(text, source));
+    if (options.columns.empty() && options.layout == GridLayout::by_content && !options.triangulate)
+      return surface_of(format->read(text, source));
     return base::Error{std::string(source), "", std::string(format->name) + ", whose layout is known", "a file of numbers",
                        "leave out --layout, --xyz and --triangulate"};
   }
   if (const std::string_view format = unread_format_of(bytes); !format.empty())
-    return base::Error{std::string(source), "", std::string(format), "a grid of heights", "save it as text in UTF-8, such as CSV, or as an ESRI ASCII grid"};
+    return base::Error{std::string(source), "", std::string(format), "a grid of heights",
+                       "save it as text in UTF-8, such as CSV, or as an ESRI ASCII grid"};
   auto lines = read_height_text(text, source);
   if (!lines) return lines.error();
   return read_layout(*lines, source, options);
@@ -194,7 +199,11 @@ void add_thinning_note(std::string& note, std::size_t step, GridSize before, Gri
   const auto size_text = [](GridSize size) { return std::to_string(size.points) + " x " + std::to_string(size.slices); };
   const std::size_t last = step % 10;
   const bool teen = step / 10 % 10 == 1;
-  note += (note.empty() ? "" : "; ") + std::string("every ") + std::to_string(step) + (teen || last == 0 || last > 3 ? "th" : last == 1 ? "st" : last == 2 ? "nd" : "rd") +
+  note += (note.empty() ? "" : "; ") + std::string("every ") + std::to_string(step) +
+          (teen || last == 0 || last > 3 ? "th"
+           : last == 1                   ? "st"
+           : last == 2                   ? "nd"
+                                         : "rd") +
           " point of " + size_text(before) + " is taken, a grid of " + size_text(after);
 }
 
@@ -212,13 +221,18 @@ std::optional<base::Error> make_smaller(Surface& surface, const GridFileOptions&
   if (size.points <= largest_grid.points && size.slices <= largest_grid.slices) return std::nullopt;
   const std::size_t most = largest_grid.points;
   const std::size_t step = (std::max(size.points, size.slices) + most - 1) / most * options.thin.value_or(1);
-  return base::Error{std::string(source), "", count_of(size.slices, "slice") + " of " + count_of(size.points, "point"), "at most 1024 of 1024",
-                     "--thin " + std::to_string(step) + " takes every " + std::to_string(step) + (step == 2 ? "nd" : step == 3 ? "rd" : "th") + " point"};
+  return base::Error{std::string(source), "", count_of(size.slices, "slice") + " of " + count_of(size.points, "point"),
+                     "at most 1024 of 1024",
+                     "--thin " + std::to_string(step) + " takes every " + std::to_string(step) +
+                         (step == 2   ? "nd"
+                          : step == 3 ? "rd"
+                                      : "th") +
+                         " point"};
 }
 
-// Holes for the heights that a person calls none.
+// Makes holes of the heights that a person named with --nodata.
 void remove_nodata(HeightGrid& grid, double nodata) {
-  // Files of floats have a large value with fewer digits than a person types, or the other way round.
+  // A large value of a file of floats rarely has the same digits as the one that a person types.
   constexpr double beyond_heights = 1e30;
   const auto is_none = [nodata](double height) {
     return height == nodata || (std::abs(nodata) > beyond_heights && std::abs(height - nodata) <= 1e-5 * std::abs(nodata));
@@ -239,7 +253,8 @@ base::Result<HeightGrid> grid_only(base::Result<HeightSurface> surface, std::str
   if (!surface) return std::move(surface.error());
   if (auto* const grid = std::get_if<HeightGrid>(&*surface)) return std::move(*grid);
   const SurfaceNet& net = std::get<SurfaceNet>(*surface);
-  return base::Error{std::string(source), "", count_of(net.curves, "block") + " of points that form no grid: a parametric surface",
+  return base::Error{std::string(source), "",
+                     count_of(net.curves, "block") + " of points that form no grid: a parametric surface",
                      "heights over a grid: in each block x or y is the same", "sightline draw skala draws it"};
 }
 

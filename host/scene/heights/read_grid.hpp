@@ -1,27 +1,28 @@
-// Reading a surface of heights from a file. The first of these that recognises the file reads it:
+// Reads a surface of heights from a file. The first entry of this list that recognises the file reads it:
 //
-//   grid_formats.hpp  A grid that says itself what it is: ESRI, Surfer, HGT.
-//   table    A text whose first line has the places along x and whose first column has those along y, at any distances, both rising
-//            or both falling, or one of each. The corner is a name, empty, the number of columns (gnuplot's `nonuniform matrix`), or
-//            a number that does not continue both rows of places, which are three or more at equal distances.
-//   points   A line is a point, in any order: x, y (our z), the height. Further columns are left out. Recognised by a heading that names
-//            the columns (x y z, lon lat elevation, ...); by three or more columns with blank lines between blocks of two or more lines; by the first two of
-//            three or more columns, which repeat as the places of a grid; by three columns in more than three lines; or by four to
-//            seven columns in more than three times as many lines.
-//   column   One height a line, with blank lines between slices of equal length. Places are counted from 0.
-//   matrix   Anything else with as many fields in every line. A line is a slice, the first one nearest to an eye that looks
-//            along +z. Places are counted from 0.
+//   grid_formats.hpp   ESRI, Surfer, HGT: a header or the size says what the file is.
+//   table    A text. The first line has the places along x, the first column those along y, at any distances; both rise or fall.
+//            The corner is a name, empty, the number of columns (gnuplot's `nonuniform matrix`), or a number that does not
+//            continue both rows of places, which are equidistant, three or more.
+//   points   A text. A line is a point, in any order: x, y (our z), the height; further columns are ignored. Recognised by
+//            - a heading that names the columns (x y z, lon lat elevation, ...),
+//            - blank lines between blocks of two or more lines, of three or more columns,
+//            - the first two of three or more columns, if they repeat as the places of a grid,
+//            - three columns in more than three lines, or four to seven columns in more than three times as many lines.
+//   column   A text of one height a line, with blank lines between slices of equal length. Places count from 0.
+//   matrix   Any other text with the same number of fields in every line. A line is a slice, the first one nearest to an eye that
+//            looks along +z. Places count from 0.
 //
-// Points over a grid, in blocks or not, become a HeightGrid. Blocks of equal length along which x and y change, or whose points form
-// no grid, are the curves of a SurfaceNet, as gnuplot has them. Other points are an error, unless they are to be triangulated; they are never a matrix. GridFileOptions say which layout it
-// is where a person knows it. A layout that neither the format, nor a heading, nor the options tell is said in the note.
+// Points over a grid, in blocks or not, become a HeightGrid. Blocks of equal length along which x and y change, or whose points
+// form no grid, become a SurfaceNet, as in gnuplot. All other points are an error, unless the options ask for a triangulation; they
+// are never a matrix. If neither the format, nor a heading, nor the options determine the layout, the note says how the file was
+// read.
 //
-// Fields are separated by semicolons, commas, tabs or blanks: the first of these that the file has. An empty field is a hole.
-// With semicolons a fraction may have a decimal comma. A field may stand in quotation marks. A first line of texts is a heading.
-// # begins a comment, and % a line of comment. Lines of blanks only are empty, line ends are LF or CRLF, a byte order mark is
-// passed over. A field is a decimal number with a point, or nan, NA, N/A or null for an undefined height. A separator at the end
-// of every line ends no field. Everything else is an error: infinity, lines of unequal length, fewer than two lines or columns,
-// more than 1024 after thinning, no number anywhere.
+// Semicolons, commas, tabs or blanks separate the fields: the first of these that the file has. With semicolons a fraction may have
+// a decimal comma. A field is a decimal number with a point; it may stand in quotation marks. An empty field, nan, NA, N/A and null
+// are holes. A first line of words is a heading. # begins a comment, % a line of comment. A line end is LF, CRLF or CR. A byte order
+// mark is skipped. A separator at the end of every line ends no field. Errors are infinities, lines of unequal length, fewer than two
+// lines or columns, more than 1024 after thinning, and a file without numbers.
 #pragma once
 
 #include <cstdint>

@@ -15,15 +15,15 @@
 namespace sightline::scene {
 namespace {
 
-// Places of heights along one axis, each once, ascending. Places nearer to each other than 10^-9 of all are one, written with
-// different rounding.
+// Places of heights along one axis, each once, ascending. Places that differ by less than 10^-9 of the whole extent are equal: files
+// write them with different rounding.
 class Places {
  public:
-  // Finite, at least one.
+  // `values` are finite and not empty.
   explicit Places(std::vector<double> values) {
     constexpr double same_place = 1e-9;
     std::sort(values.begin(), values.end());
-    // Halves, since a difference may be beyond the greatest double.
+    // Halves, because a difference may exceed the largest double.
     const double extent = values.back() / 2 - values.front() / 2;
     for (const double value : values)
       if (places_.empty() || value / 2 - places_.back() / 2 > same_place * extent) places_.push_back(value);
@@ -32,7 +32,7 @@ class Places {
   [[nodiscard]] const std::vector<double>& all() const { return places_; }
   [[nodiscard]] std::size_t count() const { return places_.size(); }
   [[nodiscard]] Interval domain() const { return {places_.front(), places_.back()}; }
-  // Of the place that this value is at; one of the constructor's values.
+  // The index of the place of this value, which is one of those that the constructor had.
   [[nodiscard]] std::size_t index(double value) const {
     return static_cast<std::size_t>(std::upper_bound(places_.begin(), places_.end(), value) - places_.begin()) - 1;
   }
@@ -48,7 +48,8 @@ std::optional<std::size_t> column_called(const HeightText& text, std::initialize
   const auto without_unit = [](const std::string& heading) {
     const std::size_t unit = heading.find_first_of("([");
     const bool has_unit = unit != std::string::npos && base::without_blanks(heading.substr(0, unit)) != "";
-    return base::lower_case(base::without_blanks(has_unit ? std::string_view(heading).substr(0, unit) : std::string_view(heading)));
+    return base::lower_case(
+        base::without_blanks(has_unit ? std::string_view(heading).substr(0, unit) : std::string_view(heading)));
   };
   const auto& headings = text.heading.names;
   for (const std::string_view name : names)
@@ -63,11 +64,12 @@ std::string names_of(const HeightText& text) {
 
 class Points {
  public:
-  Points(const HeightText& text, const PointColumns& columns, bool guessed, const GridFileOptions& options, std::string_view source)
+  Points(const HeightText& text, const PointColumns& columns, bool guessed, const GridFileOptions& options,
+         std::string_view source)
       : text_(text), columns_(columns), guessed_(guessed), options_(options), source_(source) {}
 
-  // A grid if the points form one, else a net if they are in blocks. Blocks in which x and y change are curves, even where a grid has
-  // a place for each point.
+  // A grid if the points form one, else a net if they are in blocks. Blocks along which both x and y change are curves, even if all
+  // points lie on a grid.
   base::Result<HeightSurface> surface() {
     if (auto error = why_no_points()) return *error;
     if (options_.triangulate) return triangulated();
@@ -110,7 +112,14 @@ class Points {
     for (const auto& [places, axis] : {std::pair{&x, std::size_t{0}}, std::pair{&y, std::size_t{1}}})
       if (auto error = why_no_axis(*places, axis)) return *error;
     if (std::uint64_t{x.count()} * y.count() > 4 * std::uint64_t{text_.lines.size()}) return no_grid(x, y);
-    HeightGrid grid{*positions_of(x.all()), *positions_of(y.all()), std::vector<double>(x.count() * y.count(), nan), x.domain(), y.domain(), {}, {}, {}};
+    HeightGrid grid{*positions_of(x.all()),
+                    *positions_of(y.all()),
+                    std::vector<double>(x.count() * y.count(), nan),
+                    x.domain(),
+                    y.domain(),
+                    {},
+                    {},
+                    {}};
     std::vector<const HeightLine*> first(grid.heights.size(), nullptr);
     std::size_t repeated = 0;
     for (const HeightLine& line : text_.lines) {
@@ -131,7 +140,7 @@ class Points {
     return grid;
   }
 
-  // Blocks of as many points as the first one are curves.
+  // Each block is a curve, with as many points as the first one.
   base::Result<SurfaceNet> net() {
     SurfaceNet net;
     std::size_t length = 0;
@@ -140,9 +149,11 @@ class Points {
       if (net.curves == 0) net.points = length;
       ++net.curves;
       if (length == net.points && length >= 2) return std::nullopt;
-      return base::Error{source_, place_of(end_line, 1), "block " + std::to_string(net.curves) + " of " + count_of(length, "point"),
+      return base::Error{source_, place_of(end_line, 1),
+                         "block " + std::to_string(net.curves) + " of " + count_of(length, "point"),
                          length < 2 ? "two points or more in each block" : std::to_string(net.points) + " as in the first block",
-                         "points of a surface are a grid of columns and rows, or blocks of equal length between blank lines; others need --triangulate"};
+                         "points of a surface are a grid of columns and rows, or blocks of equal length between blank lines; "
+                         "others need --triangulate"};
     };
     for (const HeightLine& line : text_.lines) {
       if (begin != nullptr && line.after_blank) {
@@ -169,7 +180,8 @@ class Points {
     }
     std::vector<const HeightLine*> lines;
     for (const HeightLine& line : text_.lines) lines.push_back(&line);
-    std::stable_sort(lines.begin(), lines.end(), [this](const HeightLine* a, const HeightLine* b) { return place(*a) < place(*b); });
+    std::stable_sort(lines.begin(), lines.end(),
+                     [this](const HeightLine* a, const HeightLine* b) { return place(*a) < place(*b); });
     for (std::size_t i = 1; i < lines.size(); ++i) {
       const double before = height_of(*lines[i - 1]);
       const double height = height_of(*lines[i]);
@@ -212,7 +224,8 @@ class Points {
   [[nodiscard]] std::string place_text(const HeightLine& line) const {
     return name(0) + " = " + shortest_text(value(line, 0)) + ", " + name(1) + " = " + shortest_text(value(line, 1));
   }
-  [[nodiscard]] base::Error error_at(const HeightLine& line, std::size_t field, std::string found, std::string expected, const std::string& what_to_do = "") const {
+  [[nodiscard]] base::Error error_at(const HeightLine& line, std::size_t field, std::string found, std::string expected,
+                                     const std::string& what_to_do = "") const {
     return {source_, place_of(line.number, line.fields[field].column), std::move(found), std::move(expected), remedy(what_to_do)};
   }
   [[nodiscard]] std::string remedy(const std::string& other) const {
@@ -241,14 +254,16 @@ class Points {
                          "at least two different values of " + name(axis), remedy("")};
     }
     if (positions_of(places.all())) return std::nullopt;
-    return base::Error{source_, "", name(axis) + " from " + shortest_text(places.domain().low) + " to " + shortest_text(places.domain().high),
+    return base::Error{source_, "",
+                       name(axis) + " from " + shortest_text(places.domain().low) + " to " + shortest_text(places.domain().high),
                        "places that are farther apart"};
   }
 
   [[nodiscard]] base::Error two_heights(const HeightLine& first, const HeightLine& line) const {
-    return error_at(line, columns_[0], "a second point at " + place_text(line) + " with the height " + shortest_text(value(line, 2)),
-                    "one height for each place; the first is " + shortest_text(value(first, 2)) + " in line " + std::to_string(first.number),
-                    "leave out one of them");
+    return error_at(
+        line, columns_[0], "a second point at " + place_text(line) + " with the height " + shortest_text(value(line, 2)),
+        "one height for each place; the first is " + shortest_text(value(first, 2)) + " in line " + std::to_string(first.number),
+        "leave out one of them");
   }
 
   // Do blank lines separate curves, as gnuplot writes them?
@@ -257,8 +272,8 @@ class Points {
   }
   [[nodiscard]] base::Error no_grid(const Places& x, const Places& y) const {
     return {source_, "",
-            count_of(text_.lines.size(), "scattered point") + " with " + std::to_string(x.count()) + " different values of " + name(0) + " and " +
-                std::to_string(y.count()) + " of " + name(1) + ", no grid of columns and rows",
+            count_of(text_.lines.size(), "scattered point") + " with " + std::to_string(x.count()) + " different values of " +
+                name(0) + " and " + std::to_string(y.count()) + " of " + name(1) + ", no grid of columns and rows",
             "a point at most places of a grid", remedy("use --triangulate")};
   }
 
@@ -330,9 +345,10 @@ base::Result<std::optional<PointColumns>> columns_of_heading(const HeightText& t
   if (!height && text.heading.names.size() == 3) height = 3 - *x - *y;
   if (!height) {
     const HeightLine& heading = text.heading.line;
-    return base::Error{std::string(source), place_of(heading.number, heading.fields.front().column), "the columns " + names_of(text),
-                       "one called z or height",
-                       "use --xyz " + text.heading.names[*x] + "," + text.heading.names[*y] + ",NAME to name the column of heights"};
+    return base::Error{
+        std::string(source), place_of(heading.number, heading.fields.front().column), "the columns " + names_of(text),
+        "one called z or height",
+        "use --xyz " + text.heading.names[*x] + "," + text.heading.names[*y] + ",NAME to name the column of heights"};
   }
   columns = PointColumns{*x, *y, *height};
   return columns;
@@ -361,8 +377,8 @@ bool repeats_as_grid(const HeightText& text) {
   return 2 * places >= all && 10 * (lines - places) <= lines;
 }
 
-base::Result<HeightSurface> read_points(const HeightText& text, const PointColumns& columns, bool guessed, const GridFileOptions& options,
-                                        std::string_view source) {
+base::Result<HeightSurface> read_points(const HeightText& text, const PointColumns& columns, bool guessed,
+                                        const GridFileOptions& options, std::string_view source) {
   return Points(text, columns, guessed, options, source).surface();
 }
 

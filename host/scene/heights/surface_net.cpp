@@ -31,7 +31,8 @@ SurfaceNet thinned(const SurfaceNet& net, std::size_t step) {
   const std::size_t along = std::clamp<std::size_t>(step, 1, net.curves - 1);
   SurfaceNet result{(net.points - 1) / across + 1, (net.curves - 1) / along + 1, {}, net.names, net.note};
   for (std::size_t curve = 0; curve < net.curves; curve += along)
-    for (std::size_t point = 0; point < net.points; point += across) result.vertices.push_back(net.vertices[curve * net.points + point]);
+    for (std::size_t point = 0; point < net.points; point += across)
+      result.vertices.push_back(net.vertices[curve * net.points + point]);
   return result;
 }
 
@@ -61,7 +62,8 @@ PolyMesh mesh_of(const SurfaceNet& net, const std::array<double, 3>& halves, std
   const auto add_triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     const auto& v = mesh.vertices;
     // A closed net has cells without area, at a pole for instance.
-    if (a != hole && b != hole && c != hole && v[a] != v[b] && v[b] != v[c] && v[c] != v[a]) sheet.faces.push_back({{a, b, c}, {}});
+    if (a != hole && b != hole && c != hole && v[a] != v[b] && v[b] != v[c] && v[c] != v[a])
+      sheet.faces.push_back({{a, b, c}, {}});
   };
   const auto add_wire = [&](std::uint32_t a, std::uint32_t b) {
     if (a != hole && b != hole && mesh.vertices[a] != mesh.vertices[b]) mesh.wires.push_back({a, b});

@@ -26,7 +26,9 @@ Unsigned little_endian(std::string_view bytes, std::size_t at) {
     value = static_cast<Unsigned>((std::uint64_t{value} << 8U) | static_cast<unsigned char>(bytes[at + i]));
   return value;
 }
-double double_at(std::string_view bytes, std::size_t at) { return std::bit_cast<double>(little_endian<std::uint64_t>(bytes, at)); }
+double double_at(std::string_view bytes, std::size_t at) {
+  return std::bit_cast<double>(little_endian<std::uint64_t>(bytes, at));
+}
 double float_at(std::string_view bytes, std::size_t at) { return std::bit_cast<float>(little_endian<std::uint32_t>(bytes, at)); }
 
 std::string byte_text(std::size_t at) { return "byte " + std::to_string(at); }
@@ -72,7 +74,8 @@ base::Result<HeightGrid> read_surfer_binary(std::string_view bytes, std::string_
   const std::size_t wanted = header_size + 4 * counts[0] * counts[1];
   if (bytes.size() != wanted) {
     return error(byte_text(bytes.size()), "the end of the file",
-                 std::to_string(wanted) + " bytes for " + std::to_string(counts[1]) + " rows of " + std::to_string(counts[0]) + " heights");
+                 std::to_string(wanted) + " bytes for " + std::to_string(counts[1]) + " rows of " + std::to_string(counts[0]) +
+                     " heights");
   }
   std::vector<double> heights;
   heights.reserve(counts[0] * counts[1]);
@@ -81,8 +84,8 @@ base::Result<HeightGrid> read_surfer_binary(std::string_view bytes, std::string_
     if (std::isinf(height)) return error(byte_text(at), "an infinite height", "a number, or 1.70141e38 for a hole");
     heights.push_back(height >= blanked ? std::numeric_limits<double>::quiet_NaN() : height);
   }
-  return even_grid({{double_at(bytes, 8), double_at(bytes, 16)}, {double_at(bytes, 24), double_at(bytes, 32)}}, {counts[0], counts[1]},
-                   std::move(heights), RowOrder::south_first, source);
+  return even_grid({{double_at(bytes, 8), double_at(bytes, 16)}, {double_at(bytes, 24), double_at(bytes, 32)}},
+                   {counts[0], counts[1]}, std::move(heights), RowOrder::south_first, source);
 }
 
 }  // namespace sightline::scene

@@ -101,6 +101,11 @@ TEST(GridHeaders, Absurd) {
   EXPECT_EQ(error_of("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n-9999 -9999 -9999 -9999\n"), "grid: found a grid without any defined height, expected at least one");
 }
 
+TEST(GridHeaders, KeysInAnyOrder) {
+  EXPECT_EQ(grid_of("cellsize 2\nNODATA_value 4\nyllcorner 0\nxllcorner 0\nnrows 2\nncols 2\n1 2 3 4\n").domain_x, (Interval{1, 3}));
+  EXPECT_EQ(error_of("dx dy\n1 2\n3 4\n"), "no error") << "a heading of two columns";
+}
+
 // --- SRTM
 
 std::string tile(std::size_t side, const std::string& north_west = std::string(2, '\0')) {
