@@ -1,8 +1,10 @@
 // Any bytes as a grid file, read by its content and with every option. Every grid is drawn as every kind of picture and figure.
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <span>
 #include <string_view>
+#include <variant>
 
 #include "host/algorithms/skala/figure.hpp"
 #include "host/programs/skala/stream.hpp"
@@ -17,6 +19,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const auto layout : {scene::GridLayout::matrix, scene::GridLayout::table, scene::GridLayout::points}) {
     const auto forced = scene::read_height_grid(text, "fuzz", {{}, layout});
     if (!forced) static_cast<void>(forced.error().message());
+  }
+  for (const auto& options : {scene::GridFileOptions{.nodata = 1, .thin = 2}, scene::GridFileOptions{.triangulate = scene::GridSize{9, 7}}}) {
+    const auto read = scene::read_height_surface(text, "fuzz", options);
+    if (!read) static_cast<void>(read.error().message());
+  }
+  if (const auto surface = scene::read_height_surface(text, "fuzz"); surface && std::holds_alternative<scene::SurfaceNet>(*surface)) {
+    const auto& net = std::get<scene::SurfaceNet>(*surface);
+    if (net.vertices.size() != net.points * net.curves || net.points < 2 || net.curves < 2) std::abort();
+    if (net.vertices.size() <= 400) static_cast<void>(scene::import_poly(scene::mesh_of(net, {1, 1, 0.6}, "fuzz"), {.mend = true}));
   }
   const auto result = scene::read_height_grid(text, "fuzz");
   if (!result) return 0;

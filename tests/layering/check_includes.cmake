@@ -12,7 +12,6 @@ cmake_minimum_required(VERSION 3.25)
 set(LIBRARY_RULES
   "png.h=host/picture"
   "nlohmann/=host/base"
-  "muParser=host/scene"
   "zip.h=host/scene/read/zip_archive.cpp"
   "pugixml=host/scene/read/three_mf.cpp"
   "draco/=host/scene/read/draco_mesh.cpp"

@@ -15,7 +15,6 @@
 #include "host/algorithms/skala/walk.hpp"
 #include "host/picture/height_colours.hpp"
 #include "host/picture/lettering.hpp"
-#include "host/scene/heights/read_text.hpp"
 #include "host/scene/heights/round_values.hpp"
 
 namespace sightline::algorithms::skala {

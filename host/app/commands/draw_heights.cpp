@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "host/app/commands/draw.hpp"
+#include "host/app/commands/draw_net.hpp"
 #include "host/app/commands/skala_options.hpp"
 #include "host/app/commands/skala_source.hpp"
 #include "host/base/json.hpp"
 #include "host/base/number.hpp"
-#include "host/scene/heights/read_text.hpp"
 #include "host/scene/heights/round_values.hpp"
 
 namespace sightline::app {
@@ -237,6 +237,7 @@ SkalaFunction load_all(const DrawHeightsArguments& arguments, std::vector<scene:
     source.name_or_file = names[i];
     if (!names[i].empty()) source.expression.clear();
     if (!names[i].empty() && !source.domain.empty() && !arguments.source.expression.empty()) source.domain.clear();
+    source.nets = names.size() == 1;
     SkalaFunction each = load_skala_function(source, usual);
     if (i == 0) {
       all = each;
@@ -264,6 +265,14 @@ std::string drawing_text(const picture::VectorDrawing& drawing) {
   return text;
 }
 
+algorithms::skala::Figure figure_of_net(const DrawHeightsArguments& arguments, const SkalaFunction& function) {
+  for (const char* option : {"--picture", "--along", "--levels", "--contour-step", "--labels", "--floor", "--net", "--silhouette", "--no-silhouette", "--colours",
+                             "--no-legend", "--no-rims", "--no-visibility", "--columns", "--axes", "--title", "--stretch"})
+    refuse_option(arguments.output, option, "a surface over a grid; " + function.name + " is a net of curves");
+  const NetView view{arguments.view.sides, arguments.view.rotation, arguments.view.elevation, {.width = arguments.figure.width, .height = arguments.figure.height, .extent = {}}};
+  return {draw_net(*function.net, view, function.name), view.sides, {1, 1}};
+}
+
 ExitCode run_draw_heights(const registry::HeightAlgorithm& algorithm, DrawHeightsArguments arguments) {
   algorithms::skala::View& view = arguments.view;
   const hidden_lines::Format format = read_draw_output(arguments.output);
@@ -276,9 +285,9 @@ ExitCode run_draw_heights(const registry::HeightAlgorithm& algorithm, DrawHeight
   if (view.subject == Subject::contours || arguments.figure.floor) view.level_heights = levels_of(arguments, function.grid);
   read_page(arguments, function, format);
   Output file(arguments.output.file);
-  if (const auto reason = algorithm.why_not(function.grid, view))
+  if (const auto reason = function.net ? std::nullopt : algorithm.why_not(function.grid, view))
     throw base::usage_error(fmt::format("{}: {} does not apply: {}", function.name, algorithm.name, *reason));
-  algorithms::skala::Figure figure = algorithm.figure(grids, view, arguments.figure);
+  algorithms::skala::Figure figure = function.net ? figure_of_net(arguments, function) : algorithm.figure(grids, view, arguments.figure);
   figure.drawing = picture::without_empty_layers(std::move(figure.drawing));
   if (format == hidden_lines::Format::hpgl) join_levels(figure.drawing, arguments.output);
   const auto plot = write_drawing(figure.drawing, arguments.output, format, function.name, file);

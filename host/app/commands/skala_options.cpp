@@ -29,13 +29,16 @@ void add_function_options(const Command& command, SkalaSource& source, const std
   command.option("--layout", source.layout, "Layout of a file: a matrix of heights, a table with coordinates in its first line and column, or points x y z")
       .one_of({"matrix", "table", "points"})
       .default_value("by its content");
+  command.option("--nodata", source.nodata, "A height of a file that means no height: a hole").value("HEIGHT");
+  command.option("--thin", source.thin, "Take every N-th point and slice of a file, which may then be larger than 1024 x 1024").range(1, 32767).value("N");
+  command.flag("--triangulate", source.triangulate, "Triangulate the points of a file (Delaunay) and sample the surface at --points by --slices");
   constexpr int fewest = static_cast<int>(scene::smallest_grid.points);
   constexpr int most = static_cast<int>(scene::largest_grid.points);
-  command.option("--slices", source.slices, "Samples along the second variable: the slices, unless the slices along it are drawn")
+  command.option("--slices", source.slices, "Samples of a function or of triangulated points along the second variable: slices, unless those along it are drawn")
       .range(fewest, most)
       .default_value(slices)
       .value("N");
-  command.option("--points", source.points, "Samples along x")
+  command.option("--points", source.points, "Samples of a function or of triangulated points along x")
       .range(fewest, most)
       .default_value(points)
       .value("N");

@@ -75,7 +75,30 @@ bool named_as_mesh(std::string_view name) {
   return std::any_of(endings.begin(), endings.end(), [name](std::string_view ending) { return name.ends_with(ending); });
 }
 
-SkalaFunction from_file(const SkalaSource& source) {
+// What a net has in common with a grid.
+scene::HeightGrid grid_of(const scene::SurfaceNet& net) {
+  const auto ranges = net.ranges();
+  return {scene::even_positions(net.points), scene::even_positions(net.curves), {}, ranges[0], ranges[1], ranges[2], net.names, net.note};
+}
+
+void take_surface(base::Result<scene::HeightSurface> read, bool nets, SkalaFunction& function) {
+  scene::HeightSurface surface = checked(std::move(read), base::ErrorKind::bad_input);
+  if (auto* const grid = std::get_if<scene::HeightGrid>(&surface)) {
+    function.grid = std::move(*grid);
+    return;
+  }
+  function.net = std::get<scene::SurfaceNet>(std::move(surface));
+  if (!nets) {
+    throw base::Error{.file = function.name,
+                      .found = "found a net of curves that is no grid, a parametric surface",
+                      .expected = "heights over a grid",
+                      .remedy = "draw it by: sightline draw skala " + function.name};
+  }
+  function.grid = grid_of(*function.net);
+}
+
+// `size`: the sampling of triangulated points.
+SkalaFunction from_file(const SkalaSource& source, scene::GridSize size) {
   const std::string& file = source.name_or_file;
   std::error_code unknown;
   if (file != "-" && !std::filesystem::exists(file, unknown)) {
@@ -93,19 +116,20 @@ SkalaFunction from_file(const SkalaSource& source) {
                       .expected = "a grid of heights",
                       .remedy = "draw it by: sightline draw exact " + file};
   }
-  if (source.points || source.slices)
-    throw base::usage_error(fmt::format("{}: a grid file has its own size; found --points or --slices", file));
+  if ((source.points || source.slices) && !source.triangulate)
+    throw base::usage_error(fmt::format("{}: a grid file has its own size; found --points or --slices without --triangulate", file));
   if (!source.x_range.empty() || !source.y_range.empty())
     throw base::usage_error(fmt::format("{}: a grid file has its own ranges; found --x-range or --y-range", display_name(file)));
-  const scene::GridFileOptions options{source.columns, layout_named(source.layout)};
+  scene::GridFileOptions options{source.columns, layout_named(source.layout), source.nodata, source.thin, {}};
+  if (source.triangulate) options.triangulate = size;
   SkalaFunction function;
   function.name = display_name(file);
   if (file == "-") {
     function.stem = "standard-input";
-    function.grid = value_or_throw(scene::read_height_grid(read_input_text(file), function.name, options), base::ErrorKind::bad_input);
+    take_surface(scene::read_height_surface(read_input_text(file), function.name, options), source.nets, function);
   } else {
     function.stem = file_stem(std::filesystem::path(file).stem().string());
-    function.grid = value_or_throw(scene::load_height_grid(file, options), base::ErrorKind::bad_input);
+    take_surface(scene::load_height_surface(file, options), source.nets, function);
   }
   if (!function.grid.note.empty()) print_message(fmt::format("{}: {}", function.name, function.grid.note));
   return function;
@@ -124,15 +148,20 @@ SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usu
     throw base::usage_error(fmt::format("--xyz: found {} columns, expected three: x, y and height", source.columns.size()));
   if (!source.columns.empty() && !source.layout.empty() && source.layout != "points")
     throw base::usage_error(fmt::format("--xyz: found with --layout {}, expected it with a file of points", source.layout));
+  if (source.triangulate && (source.layout == "matrix" || source.layout == "table"))
+    throw base::usage_error(fmt::format("--triangulate: found with --layout {}, expected it with a file of points", source.layout));
   const auto function = scene::height_function(source.name_or_file);
   if (!source.expression.empty() || function) {
     if (!source.columns.empty()) throw base::usage_error("--xyz: found without a grid file");
     if (!source.layout.empty()) throw base::usage_error("--layout: found without a grid file");
+    if (source.nodata) throw base::usage_error("--nodata: found without a grid file");
+    if (source.thin) throw base::usage_error("--thin: found without a grid file");
+    if (source.triangulate) throw base::usage_error("--triangulate: found without a file of points");
   }
   if (!source.expression.empty()) return from_expression(source, size);
   if (!source.domain.empty())
     throw base::usage_error("--domain: found without --function; names and grid files have their own");
-  return function ? from_name(source, *function, size) : from_file(source);
+  return function ? from_name(source, *function, size) : from_file(source, size);
 }
 
 bool is_height_function(const std::string& name) {

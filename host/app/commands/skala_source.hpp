@@ -8,18 +8,23 @@
 #include <vector>
 
 #include "host/scene/heights/grid.hpp"
+#include "host/scene/heights/surface_net.hpp"
 
 namespace sightline::app {
 
 struct SkalaSource {
   std::string name_or_file;           // empty: none
   std::string expression;             // empty: none
-  std::string domain;                 // "A:B", for both variables of an expression; empty: the default
-  std::string x_range;                // "A:B", for a sampled function; empty: that of `domain` or of the function
-  std::string y_range;                // of the second variable, y or z
-  std::vector<std::string> columns;   // of a file of points: x, y, height; empty: by its content
-  std::string layout;                 // of a file: "matrix", "table", "points"; empty: by its content
-  std::optional<std::size_t> points;  // only for functions that are sampled
+  std::string domain;                 // "A:B", of both variables of an expression; empty: the usual one
+  std::string x_range;                // "A:B", of a function that is sampled; empty: as `domain` or the function says
+  std::string y_range;                // of the second variable, whatever its name
+  std::vector<std::string> columns;   // of a file of points: x, y, height; empty: as its content says
+  std::string layout;                 // of a file: "matrix", "table", "points"; empty: as its content says
+  std::optional<double> nodata;       // of a file: heights that are holes
+  std::optional<std::size_t> thin;    // of a file: every n-th point
+  bool triangulate = false;           // of a file of points
+  bool nets = false;                  // a file may be a net of curves
+  std::optional<std::size_t> points;  // of a function or of triangulated points
   std::optional<std::size_t> slices;
 };
 
@@ -29,14 +34,17 @@ struct SkalaFunction {
   scene::HeightGrid grid;
   // Samples the same function at another size; empty for a grid, which has no values between its points.
   std::function<scene::HeightGrid(scene::GridSize)> sampled{};
+  // A file's net of curves, which is no function of x and y: `grid` then has only its size and its ranges.
+  std::optional<scene::SurfaceNet> net{};
 };
 
-// Loads the function. It is sampled at the requested size, by default `usual`; a file has its own size. A file "-" is standard input.
-// If the layout of a file was guessed, one line on standard error says so. Error usage: no function, two functions, options that do
-// not apply, an error in an expression or domain. Error io: neither a function nor a file. Error bad_input: the file is wrong.
+// One line on standard error if the layout of a file was guessed, or if it was thinned or triangulated. A file "-" is standard input.
+// Functions and triangulated points are sampled at the size of the source, or at `usual`; other files have their own size.
+// Error usage: no function, two of them, options that do not apply, a wrong expression or domain. Error io: neither a name nor a file.
+// Error bad_input: the file is wrong.
 [[nodiscard]] SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usual);
 
-// Whether a name among scenes and functions is a function: its name, or a file whose extension is not that of a scene.
+// Whether a name is that of a function, or of a file that is no scene by its ending.
 [[nodiscard]] bool is_height_function(const std::string& name);
 
 }  // namespace sightline::app

@@ -15,7 +15,7 @@
 #include "host/live/snapshot.hpp"
 #include "host/live/web/requests.hpp"
 #include "host/scene/heights/read_grid.hpp"
-#include "host/scene/heights/read_grid_format.hpp"
+#include "host/scene/heights/grid_formats.hpp"
 #include "host/scene/read/cell_complex_file.hpp"
 #include "host/scene/read/changes.hpp"
 #include "host/scene/read/json_documents.hpp"
@@ -223,7 +223,7 @@ Json kind_of(const File& file) {
       first == "{" || first == "[")
     return json_file(file);
   if (!scene::foreign_format_of(file.text).empty()) return unknown(file);
-  if (scene::grid_format_of(file.text) != nullptr) return grid(file);
+  if (scene::grid_format_of(file.text, file.name) != nullptr) return grid(file);
   if (auto found = program(file)) return std::move(*found);
   if (!is_text(file.text)) return kind_by_name(file);
   if (file.text.starts_with("newmtl") || file.ends_in({".mtl"}))

@@ -23,6 +23,7 @@
 #include "host/programs/turn/program.hpp"
 #include "host/live/web/requests.hpp"
 #include "host/picture/line_picture.hpp"
+#include "host/scene/heights/expression.hpp"
 #include "host/scene/heights/function.hpp"
 #include "host/scene/heights/read_grid.hpp"
 #include "host/scene/model/eye_place.hpp"
@@ -82,24 +83,23 @@ std::string grid_text(const Workbench& workbench, const std::string& name) {
   return bytes != nullptr ? std::string(bytes->begin(), bytes->end()) : std::string();
 }
 
-// The grid of a function by name, of a file of the page, or of "heights": values of an expression that the page has computed at
-// "points" by "slices" places, and at 65 by 65 places for their range.
+// One line, for the page.
+std::string message_of(const base::Error& error) {
+  return fmt::format("{}: column {}: found {}, expected {}", error.file, error.place, error.found, error.expected);
+}
+
+// By "expression", over -"domain" to "domain"; or by the name of a function or of a file of the page. Sampled at "points" by
+// "slices"; a file has its own size.
 base::Result<scene::HeightGrid> grid_of(const Workbench& workbench, const Json& request) {
   const std::string name = text_of(request, "function");
   const auto size = [&](std::string_view key, double usual) {
     return static_cast<std::size_t>(std::clamp(number_of(request, key, usual), 2.0, 256.0));
   };
   const scene::GridSize wanted{size("points", 33), size("slices", 33)};
-  if (const Json* const heights = request.find("heights")) {
-    const Json* const range = request.find("range");
-    const double half = number_of(request, "domain", 1);
-    scene::HeightGrid grid{scene::even_positions(wanted.points), scene::even_positions(wanted.slices), {}, {-half, half}, {-half, half}, {}};
-    if (heights->size() != wanted.points * wanted.slices) return base::bad_input("the number of heights is not points times slices");
-    for (const Json& each : heights->elements()) grid.heights.push_back(each.number().value_or(std::nan("")));
-    if (!scene::anywhere_finite(grid.heights)) return base::bad_input("the expression has no value anywhere in its domain");
-    grid.range = scene::finite_range(grid.heights);
-    if (range != nullptr && range->size() == 2 && (*range)[0].number() && (*range)[1].number())
-      grid.range = {*(*range)[0].number(), *(*range)[1].number()};
+  if (request.find("expression") != nullptr) {
+    const double half = std::clamp(number_of(request, "domain", 1), 1e-6, 1e6);
+    auto grid = scene::sample_expression(text_of(request, "expression"), {{-half, half}, {-half, half}}, wanted, "f(x, z)");
+    if (!grid) return base::bad_input(message_of(grid.error()));
     return grid;
   }
   if (workbench.file(name) != nullptr) return scene::read_height_grid(grid_text(workbench, name), name);
@@ -145,6 +145,12 @@ Json make_skala(Workbench& workbench, const Json& request) {
   made["status"] = program.labels.status;
   made["drawing"] = program.labels.drawing;
   return made;
+}
+
+// The name of an expression's second variable; an error for a text that is no expression.
+Json check_expression(const Json& request) {
+  const auto parsed = scene::Expression::parse(text_of(request, "expression"), "f(x, z)");
+  return parsed ? Json{{"second", std::string(1, parsed->second())}} : error_answer(message_of(parsed.error()));
 }
 
 // The cost of the visibility test: the drawing times with hidden lines removed and with all lines, on the same machine.
@@ -300,6 +306,7 @@ Json pictures_answer(Workbench& workbench, std::string_view what, const Json& re
   if (what == "sight") return sight(workbench, request);
   if (what == "skala") return make_skala(workbench, request);
   if (what == "cost") return cost(workbench, request);
+  if (what == "expression") return check_expression(request);
   return {};
 }
 

@@ -1,9 +1,7 @@
 #include "host/scene/heights/expression.hpp"
 
-#include <muParser.h>
-
 #include <algorithm>
-#include <cctype>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -15,130 +13,306 @@
 namespace sightline::scene {
 namespace {
 
-base::Error error_at(const std::string& expression, std::string_view source, std::size_t place,
-                     std::string found, std::string expected) {
-  place = std::min(place, expression.size());
-  base::Error error{std::string(source), std::to_string(place + 1), std::move(found), std::move(expected)};
-  error.excerpt = "  " + expression + "\n  " + std::string(place, ' ') + "^";
-  return error;
+using Operation = Expression::Operation;
+
+// A double as C++ has it: NaN is a condition that holds.
+constexpr bool holds(double value) { return value != 0; }
+
+// Products, so that small whole powers are the same on every machine; libraries round pow differently.
+double power(const double* v, std::size_t /*count*/) {
+  if (v[1] == 2) return v[0] * v[0];
+  if (v[1] == 3) return v[0] * v[0] * v[0];
+  if (v[1] == 4) return v[0] * v[0] * v[0] * v[0];
+  return std::pow(v[0], v[1]);
 }
-
-// The first '=' that is not part of a comparison.
-std::optional<std::size_t> assignment(const std::string& text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '=') continue;
-    if (i + 1 < text.size() && text[i + 1] == '=') {
-      ++i;
-      continue;
-    }
-    if (i == 0 || std::string_view("<>!").find(text[i - 1]) == std::string_view::npos) return i;
-  }
-  return std::nullopt;
+double sum(const double* v, std::size_t count) {
+  double total = 0;
+  for (std::size_t i = 0; i < count; ++i) total += v[i];
+  return total;
 }
+double sign_of(const double* v, std::size_t /*count*/) { return v[0] < 0 ? -1 : v[0] > 0 ? 1 : 0; }
+double negated(const double* v, std::size_t /*count*/) { return -v[0]; }
+double chosen(const double* v, std::size_t /*count*/) { return holds(v[0]) ? v[1] : v[2]; }
 
-std::optional<base::Error> refused(const std::string& expression, std::string_view source) {
-  if (expression.size() > longest_expression) {
-    return base::Error{std::string(source), "",
-                       "an expression of " + std::to_string(expression.size()) + " characters",
-                       "at most " + std::to_string(longest_expression)};
-  }
-  const auto strange =
-      std::find_if(expression.begin(), expression.end(), [](char c) { return c < ' ' || c > '~'; });
-  if (strange != expression.end()) {
-    return base::Error{std::string(source), std::to_string(strange - expression.begin() + 1),
-                       "a character that is not printable ASCII", "an expression of x and y, or of x and z"};
-  }
-  if (const auto place = assignment(expression))
-    return error_at(expression, source, *place, "an assignment", "a comparison is written ==");
-  return std::nullopt;
-}
-
-// The first ',' outside all parentheses; the end if there is none.
-std::size_t outer_comma(const std::string& text) {
-  int depth = 0;
-  std::size_t at = 0;
-  for (; at < text.size() && (text[at] != ',' || depth != 0); ++at) {
-    if (text[at] == '(') ++depth;
-    if (text[at] == ')') --depth;
-  }
-  return at;
-}
-
-// What the parser says without where: that is said in our own way, and counted from 1.
-std::string without_position(std::string message) {
-  for (const std::string_view where :
-       {" found at position ", " at expression position ", " at position ", " (position: "})
-    message.resize(std::min(message.rfind(where), message.size()));
-  while (!message.empty() && (message.back() == '.' || message.back() == ' ')) message.pop_back();
-  return message;
-}
-
-// Where a variable of one letter is first named.
-std::size_t variable(const std::string& text, char name) {
-  const auto part_of_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.'; };
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == name && (i == 0 || !part_of_word(text[i - 1])) && (i + 1 == text.size() || !part_of_word(text[i + 1]))) return i;
-  }
-  return 0;
-}
-
-class Evaluator {
- public:
-  explicit Evaluator(const std::string& expression) {
-    parser_.ClearConst();
-    parser_.DefineConst("pi", std::numbers::pi);
-    parser_.DefineConst("e", std::numbers::e);
-    parser_.DefineVar("x", &x_);
-    parser_.DefineVar("y", &z_);
-    parser_.DefineVar("z", &z_);
-    parser_.SetExpr(expression);
-    static_cast<void>(parser_.Eval());
-    if (parser_.GetNumResults() != 1)
-      throw mu::ParserError(mu::ecUNEXPECTED_ARG_SEP, ",", expression,
-                            static_cast<int>(outer_comma(expression)));
-    const auto& used = parser_.GetUsedVar();
-    uses_y_ = used.count("y") != 0;
-    if (uses_y_ && used.count("z") != 0) throw mu::ParserError(mu::ecUNASSIGNABLE_TOKEN, "z", expression, static_cast<int>(variable(expression, 'z')));
-  }
-  Evaluator(const Evaluator&) = delete;
-  Evaluator& operator=(const Evaluator&) = delete;
-
-  double operator()(double x, double z) {
-    x_ = x;
-    z_ = z;
-    return parser_.Eval();
-  }
-  // Rather than z.
-  [[nodiscard]] bool uses_y() const { return uses_y_; }
-
- private:
-  bool uses_y_ = false;
-  double x_ = 0;
-  double z_ = 0;
-  mu::Parser parser_;
+struct BinaryOperator {
+  std::string_view text;
+  int strength;
+  Operation operation;
 };
+// Of two that begin alike the longer one comes first.
+constexpr std::array<BinaryOperator, 12> binary_operators{{
+    {"||", 1, [](const double* v, std::size_t) { return holds(v[0]) || holds(v[1]) ? 1.0 : 0.0; }},
+    {"&&", 2, [](const double* v, std::size_t) { return holds(v[0]) && holds(v[1]) ? 1.0 : 0.0; }},
+    {"<=", 3, [](const double* v, std::size_t) { return v[0] <= v[1] ? 1.0 : 0.0; }},
+    {">=", 3, [](const double* v, std::size_t) { return v[0] >= v[1] ? 1.0 : 0.0; }},
+    {"==", 3, [](const double* v, std::size_t) { return v[0] == v[1] ? 1.0 : 0.0; }},
+    {"!=", 3, [](const double* v, std::size_t) { return v[0] != v[1] ? 1.0 : 0.0; }},
+    {"<", 3, [](const double* v, std::size_t) { return v[0] < v[1] ? 1.0 : 0.0; }},
+    {">", 3, [](const double* v, std::size_t) { return v[0] > v[1] ? 1.0 : 0.0; }},
+    {"+", 4, [](const double* v, std::size_t) { return v[0] + v[1]; }},
+    {"-", 4, [](const double* v, std::size_t) { return v[0] - v[1]; }},
+    {"*", 5, [](const double* v, std::size_t) { return v[0] * v[1]; }},
+    {"/", 5, [](const double* v, std::size_t) { return v[0] / v[1]; }},
+}};
+
+struct NamedFunction {
+  std::string_view name;
+  std::size_t count;  // of its values; 0: one or more
+  Operation operation;
+};
+constexpr std::array<NamedFunction, 26> named_functions{{
+    {"sin", 1, [](const double* v, std::size_t) { return std::sin(v[0]); }},
+    {"cos", 1, [](const double* v, std::size_t) { return std::cos(v[0]); }},
+    {"tan", 1, [](const double* v, std::size_t) { return std::tan(v[0]); }},
+    {"asin", 1, [](const double* v, std::size_t) { return std::asin(v[0]); }},
+    {"acos", 1, [](const double* v, std::size_t) { return std::acos(v[0]); }},
+    {"atan", 1, [](const double* v, std::size_t) { return std::atan(v[0]); }},
+    {"atan2", 2, [](const double* v, std::size_t) { return std::atan2(v[0], v[1]); }},
+    {"sinh", 1, [](const double* v, std::size_t) { return std::sinh(v[0]); }},
+    {"cosh", 1, [](const double* v, std::size_t) { return std::cosh(v[0]); }},
+    {"tanh", 1, [](const double* v, std::size_t) { return std::tanh(v[0]); }},
+    {"asinh", 1, [](const double* v, std::size_t) { return std::asinh(v[0]); }},
+    {"acosh", 1, [](const double* v, std::size_t) { return std::acosh(v[0]); }},
+    {"atanh", 1, [](const double* v, std::size_t) { return std::atanh(v[0]); }},
+    {"exp", 1, [](const double* v, std::size_t) { return std::exp(v[0]); }},
+    {"ln", 1, [](const double* v, std::size_t) { return std::log(v[0]); }},
+    {"log", 1, [](const double* v, std::size_t) { return std::log(v[0]); }},
+    {"log2", 1, [](const double* v, std::size_t) { return std::log2(v[0]); }},
+    {"log10", 1, [](const double* v, std::size_t) { return std::log10(v[0]); }},
+    {"sqrt", 1, [](const double* v, std::size_t) { return std::sqrt(v[0]); }},
+    {"abs", 1, [](const double* v, std::size_t) { return std::abs(v[0]); }},
+    {"sign", 1, sign_of},
+    {"rint", 1, [](const double* v, std::size_t) { return std::floor(v[0] + 0.5); }},
+    {"min", 0, [](const double* v, std::size_t count) { return *std::min_element(v, v + count); }},
+    {"max", 0, [](const double* v, std::size_t count) { return *std::max_element(v, v + count); }},
+    {"sum", 0, sum},
+    {"avg", 0, [](const double* v, std::size_t count) { return sum(v, count) / static_cast<double>(count); }},
+}};
+
+std::string names_of_functions() {
+  std::string names;
+  for (const NamedFunction& function : named_functions) names += (names.empty() ? "" : " ") + std::string(function.name);
+  return names;
+}
+
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+
+// Digits with at most one point, and an exponent if it has digits; its length, 0 if there are no digits.
+std::size_t length_of_number(std::string_view text) {
+  const auto digits = [text](std::size_t at) {
+    while (at < text.size() && is_digit(text[at])) ++at;
+    return at;
+  };
+  const std::size_t whole = digits(0);
+  std::size_t end = whole;
+  if (end < text.size() && text[end] == '.') end = digits(end + 1);
+  if (whole == 0 && end < 2) return 0;
+  if (end < text.size() && (text[end] == 'e' || text[end] == 'E')) {
+    const std::size_t sign = end + 1 < text.size() && (text[end + 1] == '+' || text[end + 1] == '-') ? 1 : 0;
+    const std::size_t exponent = digits(end + 1 + sign);
+    if (exponent > end + 1 + sign) end = exponent;
+  }
+  return end;
+}
 
 }  // namespace
+
+// Writes the steps of an operation behind those of its values. The first error ends it: all functions return at once.
+class ExpressionParser {
+ public:
+  ExpressionParser(const std::string& text, std::string_view source) : text_(text), source_(source) {}
+
+  base::Result<Expression> parse() {
+    if (text_.size() > longest_expression) {
+      return base::Error{std::string(source_), "", "an expression of " + std::to_string(text_.size()) + " characters",
+                         "at most " + std::to_string(longest_expression)};
+    }
+    const auto strange = std::find_if(text_.begin(), text_.end(), [](char c) { return c < ' ' || c > '~'; });
+    if (strange != text_.end()) {
+      return base::Error{std::string(source_), std::to_string(strange - text_.begin() + 1),
+                         "a character that is not printable ASCII", "an expression of x and y, or of x and z"};
+    }
+    read_choice();
+    if (!error_ && skip_blanks() < text_.size()) fail_here("an operator or the end");
+    if (error_) return *error_;
+    return std::move(expression_);
+  }
+
+ private:
+  using Kind = Expression::Step::Kind;
+
+  std::size_t skip_blanks() {
+    while (at_ < text_.size() && text_[at_] == ' ') ++at_;
+    return at_;
+  }
+  bool take(std::string_view token) {
+    if (text_.compare(skip_blanks(), token.size(), token) != 0) return false;
+    at_ += token.size();
+    return true;
+  }
+  void fail(std::size_t place, std::string found, std::string expected) {
+    if (error_) return;
+    error_ = base::Error{std::string(source_), std::to_string(place + 1), std::move(found), std::move(expected)};
+    error_->excerpt = "  " + text_ + "\n  " + std::string(place, ' ') + "^";
+  }
+  void fail_here(const std::string& expected) {
+    const std::size_t place = skip_blanks();
+    if (place == text_.size()) return fail(place, "the end of the expression", expected);
+    // Also of +=, -=, *= and /=, at the sign of equality.
+    const std::size_t equal = std::string_view("+-*/^").find(text_[place]) != std::string_view::npos ? place + 1 : place;
+    if (equal < text_.size() && text_[equal] == '=') return fail(equal, "an assignment", "== for a comparison");
+    fail(place, std::string("'") + text_[place] + "'", expected);
+  }
+
+  void push(double number) { expression_.steps_.push_back({Kind::number, 0, number, nullptr}); }
+  void apply(Operation operation, std::size_t count) { expression_.steps_.push_back({Kind::operation, count, 0, operation}); }
+
+  template <class Read>
+  void deeper(const Read& read) {
+    if (depth_ == deepest_expression)
+      return fail(at_, "an expression within more than " + std::to_string(deepest_expression) + " others", "a flatter one");
+    ++depth_;
+    read();
+    --depth_;
+  }
+
+  void read_choice() {
+    deeper([this] {
+      read_operators(1);
+      if (error_ || !take("?")) return;
+      read_choice();
+      if (error_) return;
+      if (!take(":")) return fail_here("':' and the value if the condition does not hold");
+      read_choice();
+      apply(chosen, 3);
+    });
+  }
+  // Of operators of at least this strength, from left to right.
+  void read_operators(int weakest) {
+    read_signed();
+    while (!error_) {
+      const BinaryOperator* found = nullptr;
+      skip_blanks();
+      for (const BinaryOperator& each : binary_operators)
+        if (found == nullptr && text_.compare(at_, each.text.size(), each.text) == 0) found = &each;
+      if (found == nullptr || found->strength < weakest) return;
+      at_ += found->text.size();
+      read_operators(found->strength + 1);
+      apply(found->operation, 2);
+    }
+  }
+  // At most one sign before a value and its powers: -x^2 is -(x^2).
+  void read_signed() {
+    if (take("-")) {
+      read_power();
+      apply(negated, 1);
+    } else {
+      static_cast<void>(take("+"));
+      read_power();
+    }
+  }
+  void read_power() {
+    read_value();
+    if (error_ || !take("^")) return;
+    deeper([this] { read_signed(); });
+    apply(power, 2);
+  }
+  void read_value() {
+    if (take("(")) {
+      read_choice();
+      if (!error_ && !take(")")) fail_here("an operator or ')'");
+      return;
+    }
+    const std::string_view rest = std::string_view(text_).substr(at_);
+    if (const std::size_t length = length_of_number(rest); length > 0) {
+      at_ += length;
+      const auto number = base::decimal_number(rest.substr(0, length));
+      if (!number) return fail(at_ - length, "a number beyond the largest double", "a number up to 1.7e308");
+      return push(*number);
+    }
+    std::size_t length = 0;
+    while (length < rest.size() && (is_letter(rest[length]) || (length > 0 && is_digit(rest[length])))) ++length;
+    if (length == 0) return fail_here("a number, x, y, z, pi, e, a function or '('");
+    read_name(rest.substr(0, length));
+  }
+  void read_name(std::string_view name) {
+    const std::size_t place = at_;
+    at_ += name.size();
+    if (name == "x") return expression_.steps_.push_back({Kind::x, 0, 0, nullptr});
+    if (name == "y" || name == "z") {
+      if (has_second_ && expression_.second_ != name.front()) {
+        return fail(place, std::string(name) + " beside " + expression_.second_, "one name for the second variable");
+      }
+      has_second_ = true;
+      expression_.second_ = name.front();
+      return expression_.steps_.push_back({Kind::second, 0, 0, nullptr});
+    }
+    if (name == "pi") return push(std::numbers::pi);
+    if (name == "e") return push(std::numbers::e);
+    const auto function = std::find_if(named_functions.begin(), named_functions.end(),
+                                       [name](const NamedFunction& each) { return each.name == name; });
+    if (function == named_functions.end()) {
+      return fail(place, "the unknown name " + std::string(name), "x, y or z, pi, e or a function: " + names_of_functions());
+    }
+    if (!take("(")) return fail_here("'(' and the values of " + std::string(name));
+    std::size_t count = 0;
+    do {
+      read_choice();
+      ++count;
+    } while (!error_ && take(","));
+    if (error_) return;
+    if (!take(")")) return fail_here("an operator, ',' or ')'");
+    if (function->count != 0 && count != function->count) {
+      return fail(place, std::string(name) + " of " + std::to_string(count) + (count == 1 ? " value" : " values"),
+                  std::to_string(function->count) + (function->count == 1 ? " value" : " values"));
+    }
+    apply(function->operation, count);
+  }
+
+  const std::string& text_;
+  std::string_view source_;
+  std::size_t at_ = 0;
+  std::size_t depth_ = 0;
+  bool has_second_ = false;
+  Expression expression_;
+  std::optional<base::Error> error_;
+};
+
+base::Result<Expression> Expression::parse(const std::string& text, std::string_view source) {
+  return ExpressionParser(text, source).parse();
+}
+
+double Expression::operator()(double x, double second) const {
+  // Every value is at least one character of the text.
+  std::array<double, longest_expression> stack;  // NOLINT(cppcoreguidelines-pro-type-member-init): written before it is read
+  std::size_t top = 0;
+  for (const Step& step : steps_) {
+    switch (step.kind) {
+      case Step::Kind::number: stack[top++] = step.number; break;
+      case Step::Kind::x: stack[top++] = x; break;
+      case Step::Kind::second: stack[top++] = second; break;
+      case Step::Kind::operation:
+        top -= step.count;
+        stack[top] = step.operation(&stack[top], step.count);
+        ++top;
+        break;
+    }
+  }
+  return stack[0];
+}
 
 base::Result<HeightGrid> sample_expression(const std::string& expression, const HeightDomain& domain, GridSize size,
                                            std::string_view source) {
   const auto checked = check_size(size, source);
   if (!checked) return checked.error();
-  if (auto error = refused(expression, source)) return *error;
-  try {
-    Evaluator value(expression);
-    HeightGrid grid = sample_values(value, domain, size);
-    grid.names = {"x", value.uses_y() ? "y" : "z", ""};
-    if (anywhere_finite(grid.heights)) return grid;
-    return error_at(expression, source, 0, "a function that is nowhere finite on its domain",
-                    "a number at some place");
-  } catch (const mu::ParserError& error) {
-    const int place = error.GetPos();
-    if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN && error.GetToken() == "z")
-      return error_at(expression, source, static_cast<std::size_t>(std::max(place, 0)), "z beside y", "one name for the second variable");
-    return error_at(expression, source, place < 0 ? expression.size() : static_cast<std::size_t>(place),
-                    "an error: " + without_position(error.GetMsg()), "an expression of x and y, or of x and z");
-  }
+  const auto value = Expression::parse(expression, source);
+  if (!value) return value.error();
+  HeightGrid grid = sample_values(*value, domain, size);
+  grid.names = {"x", std::string(1, value->second()), ""};
+  if (anywhere_finite(grid.heights)) return grid;
+  return base::Error{std::string(source),      "1", "a function that is nowhere finite on its domain",
+                     "a number at some place", "",  "  " + expression + "\n  ^"};
 }
 
 base::Result<Interval> read_domain(const std::string& text, std::string_view source) {

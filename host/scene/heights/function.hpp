@@ -1,5 +1,4 @@
-// The test functions of the literature on surfaces of one value, by name. The first eight are those of every
-// figure; the others are the hard cases.
+// Test functions of the literature on single-valued surfaces, by name. Figures use the first eight; the others are hard cases.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +25,7 @@ inline constexpr std::size_t figure_functions = 8;
 // In the order of their table.
 [[nodiscard]] std::span<const HeightFunction> height_functions();
 
-// Nothing for an unknown name.
+// Empty for an unknown name.
 [[nodiscard]] std::optional<HeightFunction> height_function(std::string_view name);
 
 // "sinc, rogers, ...", for messages.
@@ -36,10 +35,10 @@ inline constexpr std::size_t figure_functions = 8;
 // that on 65 x 65 points, so that pictures of different sizes agree; of the others their own.
 [[nodiscard]] HeightGrid sample(const HeightFunction& function, GridSize size);
 
-// The same elsewhere. Of a function of x and z, not of the grid's indices (precondition).
+// The same over another domain. The function is one of x and z, not of the grid's indices (precondition).
 [[nodiscard]] HeightGrid sample(const HeightFunction& function, const HeightDomain& domain, GridSize size);
 
-// Any function of x and z, range as above; where nothing of the 65 x 65 is finite, the grid's own.
+// Any function of x and z, with a range as above; that of the grid if no height of the 65 x 65 is finite.
 template <class Function>
 [[nodiscard]] HeightGrid sample_values(Function&& value, const HeightDomain& domain, GridSize size) {
   const auto heights_at = [&](const std::vector<double>& x, const std::vector<double>& z) {

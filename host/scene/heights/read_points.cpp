@@ -10,19 +10,20 @@
 #include "host/base/number.hpp"
 #include "host/base/result.hpp"
 #include "host/base/text.hpp"
+#include "host/scene/heights/interpolate.hpp"
 
 namespace sightline::scene {
 namespace {
 
-// Places of heights along one axis, each once, ascending. Places nearer to each other than 10^-9 of all are one, written with
-// different rounding.
+// Places of heights along one axis, each once, ascending. Places that differ by less than 10^-9 of the whole extent are equal: files
+// write them with different rounding.
 class Places {
  public:
-  // Finite, at least one.
+  // `values` are finite and not empty.
   explicit Places(std::vector<double> values) {
     constexpr double same_place = 1e-9;
     std::sort(values.begin(), values.end());
-    // Halves, since a difference may be beyond the greatest double.
+    // Halves, because a difference may exceed the largest double.
     const double extent = values.back() / 2 - values.front() / 2;
     for (const double value : values)
       if (places_.empty() || value / 2 - places_.back() / 2 > same_place * extent) places_.push_back(value);
@@ -31,7 +32,7 @@ class Places {
   [[nodiscard]] const std::vector<double>& all() const { return places_; }
   [[nodiscard]] std::size_t count() const { return places_.size(); }
   [[nodiscard]] Interval domain() const { return {places_.front(), places_.back()}; }
-  // Of the place that this value is at; one of the constructor's values.
+  // The index of the place of this value, which is one of those that the constructor had.
   [[nodiscard]] std::size_t index(double value) const {
     return static_cast<std::size_t>(std::upper_bound(places_.begin(), places_.end(), value) - places_.begin()) - 1;
   }
@@ -40,7 +41,6 @@ class Places {
   std::vector<double> places_;
 };
 
-constexpr const char* parametric = "parametric surfaces are not read";
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // The column whose name is one of these, in any case; "height (m)" is height.
@@ -48,7 +48,8 @@ std::optional<std::size_t> column_called(const HeightText& text, std::initialize
   const auto without_unit = [](const std::string& heading) {
     const std::size_t unit = heading.find_first_of("([");
     const bool has_unit = unit != std::string::npos && base::without_blanks(heading.substr(0, unit)) != "";
-    return base::lower_case(base::without_blanks(has_unit ? std::string_view(heading).substr(0, unit) : std::string_view(heading)));
+    return base::lower_case(
+        base::without_blanks(has_unit ? std::string_view(heading).substr(0, unit) : std::string_view(heading)));
   };
   const auto& headings = text.heading.names;
   for (const std::string_view name : names)
@@ -63,44 +64,153 @@ std::string names_of(const HeightText& text) {
 
 class Points {
  public:
-  Points(const HeightText& text, const PointColumns& columns, bool guessed, std::string_view source)
-      : text_(text), columns_(columns), guessed_(guessed), source_(source) {}
+  Points(const HeightText& text, const PointColumns& columns, bool guessed, const GridFileOptions& options,
+         std::string_view source)
+      : text_(text), columns_(columns), guessed_(guessed), options_(options), source_(source) {}
 
-  base::Result<HeightGrid> grid() {
+  // A grid if the points form one, else a net if they are in blocks. Blocks along which both x and y change are curves, even if all
+  // points lie on a grid.
+  base::Result<HeightSurface> surface() {
     if (auto error = why_no_points()) return *error;
+    if (options_.triangulate) return triangulated();
+    if (!in_blocks()) return grid_surface();
+    auto curves = net();
+    if (curves && turns()) return HeightSurface(std::move(*curves));
+    auto read = grid_surface();
+    if (read) return read;
+    if (curves) return HeightSurface(std::move(*curves));
+    return std::move(curves.error());
+  }
+
+ private:
+  base::Result<HeightSurface> grid_surface() {
+    auto read = grid();
+    if (!read) return std::move(read.error());
+    return HeightSurface(std::move(*read));
+  }
+  // Is there a block along which both x and y change?
+  bool turns() {
+    const Places x(values(0));
+    const Places y(values(1));
+    const HeightLine* first = nullptr;
+    bool x_changes = false;
+    bool y_changes = false;
+    for (const HeightLine& line : text_.lines) {
+      if (first == nullptr || line.after_blank) {
+        first = &line;
+        x_changes = y_changes = false;
+      }
+      x_changes = x_changes || x.index(value(line, 0)) != x.index(value(*first, 0));
+      y_changes = y_changes || y.index(value(line, 1)) != y.index(value(*first, 1));
+      if (x_changes && y_changes) return true;
+    }
+    return false;
+  }
+  base::Result<HeightGrid> grid() {
     const Places x(values(0));
     const Places y(values(1));
     for (const auto& [places, axis] : {std::pair{&x, std::size_t{0}}, std::pair{&y, std::size_t{1}}})
       if (auto error = why_no_axis(*places, axis)) return *error;
     if (std::uint64_t{x.count()} * y.count() > 4 * std::uint64_t{text_.lines.size()}) return no_grid(x, y);
-    for (const auto& [places, axis] : {std::pair{&x, std::size_t{0}}, std::pair{&y, std::size_t{1}}}) {
-      if (places->count() > largest_grid.points)
-        return base::Error{source_, "", std::to_string(places->count()) + " different values of " + name(axis), "at most 1024"};
-    }
-    HeightGrid grid{*positions_of(x.all()), *positions_of(y.all()), std::vector<double>(x.count() * y.count(), nan), x.domain(), y.domain(), {}, {}, {}};
+    HeightGrid grid{*positions_of(x.all()),
+                    *positions_of(y.all()),
+                    std::vector<double>(x.count() * y.count(), nan),
+                    x.domain(),
+                    y.domain(),
+                    {},
+                    {},
+                    {}};
     std::vector<const HeightLine*> first(grid.heights.size(), nullptr);
     std::size_t repeated = 0;
     for (const HeightLine& line : text_.lines) {
       const std::size_t place = y.index(value(line, 1)) * x.count() + x.index(value(line, 0));
-      const double height = value(line, 2);
+      const double height = height_of(line);
       if (first[place] == nullptr) {
         first[place] = &line;
         grid.heights[place] = height;
       } else if (grid.heights[place] == height || (std::isnan(grid.heights[place]) && std::isnan(height))) {
         ++repeated;
       } else {
-        return turns(x, y) ? no_grid(x, y) : two_heights(*first[place], line);
+        return two_heights(*first[place], line);
       }
     }
     if (3 * with_neighbours(first, x.count()) < text_.lines.size() - repeated) return no_grid(x, y);
-    if (text_.has_heading() && !text_.heading.table)
-      for (std::size_t axis = 0; axis < 3; ++axis) grid.names[axis] = text_.heading.names[columns_[axis]];
+    grid.names = names();
     grid.note = note_of(grid, text_.lines.size() - repeated, repeated);
     return grid;
   }
 
- private:
+  // Each block is a curve, with as many points as the first one.
+  base::Result<SurfaceNet> net() {
+    SurfaceNet net;
+    std::size_t length = 0;
+    const HeightLine* begin = nullptr;
+    const auto end_curve = [&](std::size_t end_line) -> std::optional<base::Error> {
+      if (net.curves == 0) net.points = length;
+      ++net.curves;
+      if (length == net.points && length >= 2) return std::nullopt;
+      return base::Error{source_, place_of(end_line, 1),
+                         "block " + std::to_string(net.curves) + " of " + count_of(length, "point"),
+                         length < 2 ? "two points or more in each block" : std::to_string(net.points) + " as in the first block",
+                         "points of a surface are a grid of columns and rows, or blocks of equal length between blank lines; "
+                         "others need --triangulate"};
+    };
+    for (const HeightLine& line : text_.lines) {
+      if (begin != nullptr && line.after_blank) {
+        if (auto error = end_curve(begin->number)) return *error;
+        length = 0;
+      }
+      if (length == 0) begin = &line;
+      ++length;
+      net.vertices.push_back({value(line, 0), value(line, 1), height_of(line)});
+    }
+    if (auto error = end_curve(begin->number)) return *error;
+    net.names = names();
+    net.note = "read as a net of " + count_of(net.curves, "curve") + " of " + count_of(net.points, "point");
+    if (const std::string left_out = columns_left_out(); guessed_ && !left_out.empty()) net.note += ", " + left_out;
+    return net;
+  }
+
+  base::Result<HeightSurface> triangulated() {
+    std::vector<ScatteredPoint> points;
+    points.reserve(text_.lines.size());
+    for (const HeightLine& line : text_.lines) {
+      const double height = height_of(line);
+      if (std::isfinite(height)) points.push_back({value(line, 0), value(line, 1), height});
+    }
+    std::vector<const HeightLine*> lines;
+    for (const HeightLine& line : text_.lines) lines.push_back(&line);
+    std::stable_sort(lines.begin(), lines.end(),
+                     [this](const HeightLine* a, const HeightLine* b) { return place(*a) < place(*b); });
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+      const double before = height_of(*lines[i - 1]);
+      const double height = height_of(*lines[i]);
+      if (place(*lines[i - 1]) == place(*lines[i]) && before != height && std::isfinite(before) && std::isfinite(height))
+        return two_heights(*lines[i - 1], *lines[i]);
+    }
+    auto grid = interpolated(points, *options_.triangulate, source_);
+    if (!grid) return std::move(grid.error());
+    grid->names = names();
+    return HeightSurface(std::move(*grid));
+  }
+
   [[nodiscard]] double value(const HeightLine& line, std::size_t axis) const { return line.fields[columns_[axis]].value; }
+  [[nodiscard]] std::array<double, 2> place(const HeightLine& line) const { return {value(line, 0), value(line, 1)}; }
+  [[nodiscard]] double height_of(const HeightLine& line) const {
+    const double height = value(line, 2);
+    return options_.nodata && height == *options_.nodata ? nan : height;
+  }
+  [[nodiscard]] std::array<std::string, 3> names() const {
+    std::array<std::string, 3> all;
+    if (text_.has_heading() && !text_.heading.table)
+      for (std::size_t axis = 0; axis < 3; ++axis) all[axis] = text_.heading.names[columns_[axis]];
+    return all;
+  }
+  [[nodiscard]] std::string columns_left_out() const {
+    const std::size_t count = text_.lines.front().fields.size();
+    if (count == 4) return "column 4 left out";
+    return count > 4 ? "columns 4 to " + std::to_string(count) + " left out" : "";
+  }
   [[nodiscard]] std::vector<double> values(std::size_t axis) const {
     std::vector<double> all;
     all.reserve(text_.lines.size());
@@ -114,7 +224,8 @@ class Points {
   [[nodiscard]] std::string place_text(const HeightLine& line) const {
     return name(0) + " = " + shortest_text(value(line, 0)) + ", " + name(1) + " = " + shortest_text(value(line, 1));
   }
-  [[nodiscard]] base::Error error_at(const HeightLine& line, std::size_t field, std::string found, std::string expected, const std::string& what_to_do = "") const {
+  [[nodiscard]] base::Error error_at(const HeightLine& line, std::size_t field, std::string found, std::string expected,
+                                     const std::string& what_to_do = "") const {
     return {source_, place_of(line.number, line.fields[field].column), std::move(found), std::move(expected), remedy(what_to_do)};
   }
   [[nodiscard]] std::string remedy(const std::string& other) const {
@@ -143,50 +254,27 @@ class Points {
                          "at least two different values of " + name(axis), remedy("")};
     }
     if (positions_of(places.all())) return std::nullopt;
-    return base::Error{source_, "", name(axis) + " from " + shortest_text(places.domain().low) + " to " + shortest_text(places.domain().high),
+    return base::Error{source_, "",
+                       name(axis) + " from " + shortest_text(places.domain().low) + " to " + shortest_text(places.domain().high),
                        "places that are farther apart"};
   }
 
   [[nodiscard]] base::Error two_heights(const HeightLine& first, const HeightLine& line) const {
-    return error_at(line, columns_[0], "a second point at " + place_text(line) + " with the height " + shortest_text(value(line, 2)),
-                    "one height for each place; the first is " + shortest_text(value(first, 2)) + " in line " + std::to_string(first.number),
-                    in_blocks() ? parametric : "");
+    return error_at(
+        line, columns_[0], "a second point at " + place_text(line) + " with the height " + shortest_text(value(line, 2)),
+        "one height for each place; the first is " + shortest_text(value(first, 2)) + " in line " + std::to_string(first.number),
+        "leave out one of them");
   }
 
   // Do blank lines separate curves, as gnuplot writes them?
   [[nodiscard]] bool in_blocks() const {
     return std::any_of(text_.lines.begin(), text_.lines.end(), [](const HeightLine& line) { return line.after_blank; });
   }
-  // Is there a block along which both x and y change?
-  [[nodiscard]] bool turns(const Places& x, const Places& y) const {
-    if (!in_blocks()) return false;
-    const HeightLine* first = nullptr;
-    bool x_changes = false;
-    bool y_changes = false;
-    for (const HeightLine& line : text_.lines) {
-      if (first == nullptr || line.after_blank) {
-        first = &line;
-        x_changes = y_changes = false;
-      }
-      x_changes = x_changes || x.index(value(line, 0)) != x.index(value(*first, 0));
-      y_changes = y_changes || y.index(value(line, 1)) != y.index(value(*first, 1));
-      if (x_changes && y_changes) return true;
-    }
-    return false;
-  }
-
   [[nodiscard]] base::Error no_grid(const Places& x, const Places& y) const {
-    if (turns(x, y)) {
-      const auto is_first = [](const HeightLine& line) { return line.after_blank; };
-      const auto blocks = static_cast<std::size_t>(std::count_if(text_.lines.begin(), text_.lines.end(), is_first)) + 1;
-      return {source_, "",
-              count_of(blocks, "block") + " of points in which both " + name(0) + " and " + name(1) + " change: a parametric surface or a rotated grid",
-              "heights over a grid: in each block " + name(0) + " or " + name(1) + " is the same", parametric};
-    }
     return {source_, "",
-            count_of(text_.lines.size(), "scattered point") + " with " + std::to_string(x.count()) + " different values of " + name(0) + " and " +
-                std::to_string(y.count()) + " of " + name(1) + ", no grid of columns and rows",
-            "a point at most places of a grid", remedy("interpolate the points to a grid first, for example with gnuplot's dgrid3d")};
+            count_of(text_.lines.size(), "scattered point") + " with " + std::to_string(x.count()) + " different values of " +
+                name(0) + " and " + std::to_string(y.count()) + " of " + name(1) + ", no grid of columns and rows",
+            "a point at most places of a grid", remedy("use --triangulate")};
   }
 
   static std::size_t with_neighbours(const std::vector<const HeightLine*>& at, std::size_t width) {
@@ -203,9 +291,7 @@ class Points {
     std::string note;
     if (guessed_) {
       note = "read as x y z in columns, a grid of " + std::to_string(grid.points()) + " x " + std::to_string(grid.slices());
-      const std::size_t count = text_.lines.front().fields.size();
-      if (count == 4) note += ", column 4 left out";
-      if (count > 4) note += ", columns 4 to " + std::to_string(count) + " left out";
+      if (const std::string left_out = columns_left_out(); !left_out.empty()) note += ", " + left_out;
       if (taken < grid.heights.size()) note += ", " + count_of(grid.heights.size() - taken, "place") + " without a point";
     }
     if (repeated > 0) note += (note.empty() ? "" : ", ") + count_of(repeated, "repeated point") + " left out";
@@ -215,6 +301,7 @@ class Points {
   const HeightText& text_;
   const PointColumns& columns_;
   bool guessed_;
+  const GridFileOptions& options_;
   std::string source_;
 };
 
@@ -258,9 +345,10 @@ base::Result<std::optional<PointColumns>> columns_of_heading(const HeightText& t
   if (!height && text.heading.names.size() == 3) height = 3 - *x - *y;
   if (!height) {
     const HeightLine& heading = text.heading.line;
-    return base::Error{std::string(source), place_of(heading.number, heading.fields.front().column), "the columns " + names_of(text),
-                       "one called z or height",
-                       "use --xyz " + text.heading.names[*x] + "," + text.heading.names[*y] + ",NAME to name the column of heights"};
+    return base::Error{
+        std::string(source), place_of(heading.number, heading.fields.front().column), "the columns " + names_of(text),
+        "one called z or height",
+        "use --xyz " + text.heading.names[*x] + "," + text.heading.names[*y] + ",NAME to name the column of heights"};
   }
   columns = PointColumns{*x, *y, *height};
   return columns;
@@ -289,8 +377,9 @@ bool repeats_as_grid(const HeightText& text) {
   return 2 * places >= all && 10 * (lines - places) <= lines;
 }
 
-base::Result<HeightGrid> read_points(const HeightText& text, const PointColumns& columns, bool guessed, std::string_view source) {
-  return Points(text, columns, guessed, source).grid();
+base::Result<HeightSurface> read_points(const HeightText& text, const PointColumns& columns, bool guessed,
+                                        const GridFileOptions& options, std::string_view source) {
+  return Points(text, columns, guessed, options, source).surface();
 }
 
 }  // namespace sightline::scene

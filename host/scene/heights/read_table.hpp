@@ -1,4 +1,4 @@
-// The layout of read_grid.hpp in which the first line has the places along x and the first column those along y.
+// Reads the layout of read_grid.hpp whose first line has the places along x and whose first column has those along y.
 #pragma once
 
 #include <span>
@@ -10,11 +10,11 @@
 
 namespace sightline::scene {
 
-// Do first line and first column rise or fall, but for the corner?
+// Whether the first line and the first column rise or fall, the corner apart.
 [[nodiscard]] bool has_places(const HeightLine& first, std::span<const HeightLine> others);
 
-// They do, and the corner is no number, or the number of the other columns, as gnuplot's manual has it (gnuplot ignores it); or the
-// places along both axes are three or more at equal distances, and the corner does not continue both.
+// Whether, in addition, the corner is no number or the number of the other columns, as in gnuplot's manual (gnuplot ignores it); or
+// the places along both axes are equidistant, three or more, and the corner does not continue both rows of places.
 [[nodiscard]] bool is_table(const HeightLine& first, std::span<const HeightLine> others);
 
 // The grid without its range.

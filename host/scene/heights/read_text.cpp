@@ -16,8 +16,8 @@ namespace sightline::scene {
 namespace {
 
 // A line of a table begins with its place.
-constexpr std::size_t most_fields = largest_grid.points + 1;
-// Of the largest grid as points: x y z and five more columns.
+constexpr std::size_t most_fields = largest_file_grid.points + 1;
+// The largest grid as points of eight columns: x y z and five more.
 constexpr std::size_t most_numbers = 8 * largest_grid.points * largest_grid.slices;
 constexpr std::string_view blanks = " \t";
 
@@ -33,7 +33,7 @@ bool is_missing(std::string_view field) {
   return field.empty() || std::any_of(words.begin(), words.end(), [lower = base::lower_case(field)](std::string_view word) { return lower == word; });
 }
 
-// What a message can show of a field: short, and no control characters.
+// A field as messages show it: short, without control characters.
 std::string shown(std::string_view field) {
   constexpr std::size_t most = 24;
   std::string text = "'";
@@ -48,7 +48,7 @@ struct RawLine {
   bool after_blank = false;
 };
 
-// Where # begins a comment, or at the beginning of a line %. npos: nowhere.
+// The position where a comment begins: at #, or at % if that is the first character. npos: there is none.
 std::size_t comment_of(std::string_view line) {
   const std::size_t first = line.find_first_not_of(blanks);
   return first != std::string_view::npos && line[first] == '%' ? first : line.find('#');
@@ -76,8 +76,8 @@ std::vector<RawLine> raw_lines(std::string_view text) {
   return lines;
 }
 
-// Do tabs separate fields, rather than being blanks? Every line has as many, and no other blank is between two fields; a tab
-// before the first field of every line is only indentation.
+// Whether tabs separate fields: every line has the same number of tabs, and no blank stands between two fields. If every line begins
+// with a blank or a tab, that is indentation.
 bool tabs_separate(const std::vector<RawLine>& lines) {
   const auto tabs = [](std::string_view text) { return std::count(text.begin(), text.end(), '\t'); };
   const auto first = tabs(lines.front().text);
@@ -117,8 +117,7 @@ class LineReader {
 
   [[nodiscard]] const base::Error& error() const { return *error_; }
 
-  // A line of numbers and perhaps words, which are added to the others if they are the first of their column. False: error() says
-  // what is wrong.
+  // A line of numbers and words. The first word of each column is added to `words`. False: error() says what is wrong.
   bool read(const RawLine& line, HeightLine& result, std::vector<std::pair<std::size_t, base::Error>>& words) {
     if (!split(line)) return false;
     result = {{}, line.number, line.text.size() + 1, line.after_blank};
@@ -157,7 +156,7 @@ class LineReader {
   }
 
  private:
-  // Numbers with a blank between them where commas separate come of decimal commas: 1,5 2,5 is read as 1 and 5 2 and 5.
+  // With commas as separators, two numbers in one field show that the commas were decimal: 1,5 2,5 is split into 1 and 5 2 and 5.
   [[nodiscard]] std::string expected_for(std::string_view field) const {
     if (separator_ == ',' && field.find_first_of(blanks) != std::string_view::npos && numbers_only(field))
       return "one number between two commas; where fractions have a comma, semicolons must separate the numbers";
@@ -197,7 +196,7 @@ class LineReader {
         ++column;
       }
       if (separator_ends_line_ && end == text.size() && field.empty()) break;
-      if (fields_.size() == most_fields) return fail(line.number, column, "more than 1024 fields", "at most 1024");
+      if (fields_.size() == most_fields) return fail(line.number, column, "more than " + std::to_string(most_fields) + " fields", "at most that");
       fields_.push_back({field, column});
       begin = end + 1;
     }
@@ -206,12 +205,12 @@ class LineReader {
 
   static std::size_t skipped(std::string_view text) { return std::min(text.find_first_not_of(blanks), text.size()); }
 
-  // NaN of a missing one.
+  // NaN if the field is missing.
   std::optional<double> number(std::string_view field) {
     if (is_missing(field)) return std::numeric_limits<double>::quiet_NaN();
     const auto value = base::decimal_number(field);
     if (value || separator_ != ';') return value;
-    // With semicolons between fields a comma may be that of a decimal fraction.
+    // If semicolons separate the fields, a comma is a decimal comma.
     if (std::count(field.begin(), field.end(), ',') != 1 || field.find('.') != std::string_view::npos) return std::nullopt;
     decimal_ = field;
     std::replace(decimal_.begin(), decimal_.end(), ',', '.');
@@ -257,8 +256,6 @@ std::optional<base::Error> unequal_lines(const HeightLine& first, std::span<cons
   return std::nullopt;
 }
 
-std::string shortest_text(double number) { return base::shortest_number(number); }
-
 base::Result<HeightText> read_height_text(std::string_view text, std::string_view source) {
   const std::vector<RawLine> lines = raw_lines(text);
   const base::Error nothing{std::string(source), "", "no line of numbers", "at least two"};
@@ -272,13 +269,13 @@ base::Result<HeightText> read_height_text(std::string_view text, std::string_vie
     if (!reader.read(line, fields, result.words)) return reader.error();
     numbers += fields.fields.size();
     if (numbers > most_numbers + lines.size()) {
-      return base::Error{std::string(source), place_of(line.number, 1), "more numbers than a file of the largest grid has",
-                         "at most 1024 slices of 1024 points"};
+      return base::Error{std::string(source), place_of(line.number, 1), "more than " + std::to_string(most_numbers) + " numbers", "at most that",
+                         "thin the file, or save it in a grid format, such as an ESRI ASCII grid, and use --thin"};
     }
     result.lines.push_back(std::move(fields));
   }
   if (result.lines.empty()) return nothing;
-  // Of the first line below a heading, blank lines say nothing.
+  // Blank lines between a heading and the first line do not separate blocks.
   result.lines.front().after_blank = false;
   return result;
 }

@@ -1,4 +1,4 @@
-// A grid file as lines of fields, before anything is known of their meaning.
+// A text of numbers as lines of fields, whatever their layout is.
 #pragma once
 
 #include <cstddef>
@@ -15,45 +15,42 @@
 namespace sightline::scene {
 
 struct HeightField {
-  double value = 0;        // NaN where there is none
-  std::size_t column = 1;  // in the line, from 1
+  double value = 0;        // NaN if the field is missing
+  std::size_t column = 1;  // from 1
 };
 
 struct HeightLine {
   std::vector<HeightField> fields;
   std::size_t number = 1;    // in the file, from 1
-  std::size_t end = 1;       // the column behind its last character
-  bool after_blank = false;  // empty lines are before it (other than at the start of the file)
+  std::size_t end = 1;       // the column after its last character
+  bool after_blank = false;  // blank lines precede it, other than at the start of the file
 };
 
-// The first line, if it is no line of numbers.
+// The first line, if it is not a line of numbers.
 struct HeightHeading {
-  std::vector<std::string> names;  // of the columns; of a table only that of the corner
+  std::vector<std::string> names;  // of the columns; of a table the name of the corner only
   HeightLine line;                 // NaN for a name
-  bool table = false;              // numbers behind the corner: places along x, and every line begins with one along z
+  bool table = false;              // numbers follow the corner: places along x; every other line begins with a place along z
 };
 
 struct HeightText {
   HeightHeading heading;          // without names and fields: none
   std::vector<HeightLine> lines;  // at least one; none empty
-  // Fields below the first line that are neither numbers nor missing, and read as NaN: the first one of each column, in the order
-  // of the file, with its column from 0.
+  // Fields that are neither numbers nor missing, read as NaN: the first one of each column, in the order of the file, with the
+  // number of its column from 0.
   std::vector<std::pair<std::size_t, base::Error>> words;
 
   [[nodiscard]] bool has_heading() const { return !heading.names.empty(); }
 };
 
-// More than 1025 fields in a line (a table of 1024 columns has so many) or a file without numbers is an error.
+// Too many fields in a line, too many numbers or a file without numbers is an error.
 [[nodiscard]] base::Result<HeightText> read_height_text(std::string_view text, std::string_view source);
 
-// The error that names the first line which has not as many fields as `first`; none: all have.
+// The error that names the first line whose number of fields differs from that of `first`; empty if there is none.
 [[nodiscard]] std::optional<base::Error> unequal_lines(const HeightLine& first, std::span<const HeightLine> lines, std::string_view source);
 
 // "line:column"
 [[nodiscard]] std::string place_of(std::size_t line, std::size_t column);
-
-// A number as the shortest text that reads back the same.
-[[nodiscard]] std::string shortest_text(double number);
 
 // "1 line", "2 lines"
 [[nodiscard]] std::string count_of(std::size_t n, std::string_view what);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "host/scene/heights/read_text.hpp"
 
 namespace sightline::scene {
 namespace {

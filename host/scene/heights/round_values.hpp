@@ -10,11 +10,11 @@ namespace sightline::scene {
 
 struct RoundValue {
   double value = 0;
-  std::string text;  // the shortest that is the value
+  std::string text;  // the shortest text of the value
 };
 
-// The multiples within the interval, ends included, ascending, with the smallest round step that gives at most `most` of them. One that
-// is beyond an end by rounding alone is within. None for an interval without extent or one that is not finite.
+// The multiples within the interval, ends included, ascending, with the smallest round step that gives at most `most` of them. A
+// multiple that exceeds an end by rounding alone is within. Empty for an interval without extent or one that is not finite.
 [[nodiscard]] std::vector<RoundValue> round_values(Interval interval, int most);
 
 // The multiples of this step within the interval, ends excluded; none if there are more than `most`.

@@ -101,6 +101,45 @@ TEST_F(DrawCommand, AGridFileWithAHole) {
   EXPECT_FALSE(exists("bad.svg"));
 }
 
+// Blocks of points that are no grid: an upright strip and its like, as gnuplot's parametric surfaces.
+TEST_F(DrawCommand, ANetOfCurves) {
+  write("net.dat", "0 0 0\n1 0 0\n\n0 0 1\n1 0 1\n\n0 1 1\n1 1 1\n");
+  const auto ran = sightline({"draw", "skala", "net.dat", "--rotate", "0", "--json", "-o", "net.svg"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(ran.err, "sightline: net.dat: read as a net of 3 curves of 2 points\n");
+  const auto json = nlohmann::json::parse(ran.out);
+  EXPECT_EQ(json["x_range"], (std::vector<double>{0, 1}));
+  EXPECT_EQ(json["height_range"], (std::vector<double>{0, 1}));
+  EXPECT_EQ(json["counts"]["lines"], 2) << "the border, a closed line, and the curve in the middle, where the surface bends";
+  expect_usage_error_beside({"draw", "skala", "net.dat", "--picture", "contours", "-o", "t.svg"}, "net.dat is a net of curves");
+  expect_usage_error_beside({"draw", "skala", "net.dat", "--axes", "-o", "t.svg"}, "net.dat is a net of curves");
+  const auto other = sightline({"skala", "lines", "net.dat", "-o", "p"});
+  EXPECT_EQ(other.exit_code, 4);
+  EXPECT_TRUE(has(other.err, "draw it by: sightline draw skala net.dat")) << other.err;
+}
+
+TEST_F(DrawCommand, HolesThinningAndTriangles) {
+  write("g.asc", "ncols 4\nnrows 3\nxllcenter 10\nyllcenter 20\ncellsize 5\n1 2 3 4\n5 6 7 8\n9 10 11 12\n");
+  const auto thin = sightline({"draw", "skala", "g.asc", "--thin", "2", "--nodata", "-7", "--json", "-o", "g.svg"});
+  ASSERT_EQ(thin.exit_code, 0) << thin.err;
+  EXPECT_EQ(thin.err, "sightline: g.asc: every 2nd point of 4 x 3 is taken, a grid of 2 x 2\n");
+  EXPECT_EQ(nlohmann::json::parse(thin.out)["x_range"], (std::vector<double>{10, 20}));
+  write("s.xyz", "0 0 1\n4 1 2\n1 5 3\n3 4 2\n2 2 5\n");
+  const auto scattered = sightline({"draw", "skala", "s.xyz", "-o", "s.svg"});
+  EXPECT_EQ(scattered.exit_code, 4);
+  EXPECT_TRUE(has(scattered.err, "use --triangulate")) << scattered.err;
+  const auto triangles = sightline({"draw", "skala", "s.xyz", "--triangulate", "--points", "9", "--slices", "7", "--json", "-o", "s.svg"});
+  ASSERT_EQ(triangles.exit_code, 0) << triangles.err;
+  EXPECT_EQ(nlohmann::json::parse(triangles.out)["points"], 9);
+  EXPECT_EQ(nlohmann::json::parse(triangles.out)["y_range"], (std::vector<double>{0, 5}));
+  expect_usage_error_beside({"draw", "skala", "s.xyz", "--points", "9", "-o", "t.svg"}, "without --triangulate");
+  expect_usage_error_beside({"draw", "skala", "peaks", "--thin", "2", "-o", "t.svg"}, "--thin: found without a grid file");
+  expect_usage_error_beside({"draw", "skala", "peaks", "--nodata", "2", "-o", "t.svg"}, "--nodata: found without a grid file");
+  expect_usage_error_beside({"draw", "skala", "peaks", "--triangulate", "-o", "t.svg"}, "--triangulate: found without a file of points");
+  expect_usage_error_beside({"draw", "skala", "s.xyz", "--triangulate", "--layout", "matrix", "-o", "t.svg"}, "--triangulate: found with --layout matrix");
+  EXPECT_TRUE(has(sightline({"draw", "skala", "g.asc", "--triangulate", "-o", "t.svg"}).err, "leave out --layout, --xyz and --triangulate"));
+}
+
 // Proportions are those of the box unless it is stretched; the output states which.
 TEST_F(DrawCommand, ProportionsOfASurface) {
   const auto drawn = [&](std::vector<std::string> more) {

@@ -96,7 +96,7 @@ TEST_F(HelpCommand, NamesEveryOption) {
                  "--field", "--all-edges", "--hidden", "--json", "-o", "--size", "--margin", "--pen", "--pixels"});
   }
   expect_help({"draw", "skala"},
-              {"GRID", "--function", "--domain", "--x-range", "--y-range", "--xyz", "--layout", "--axes", "--aspect", "--stretch", "--title", "--labels", "--floor", "--colours", "--slices", "--points", "--picture", "--along", "--rotate",
+              {"GRID", "--function", "--domain", "--x-range", "--y-range", "--xyz", "--layout", "--nodata", "--thin", "--triangulate", "--axes", "--aspect", "--stretch", "--title", "--labels", "--floor", "--colours", "--slices", "--points", "--picture", "--along", "--rotate",
                "--elevate", "--levels", "--columns", "--no-visibility", "-o", "--pixels", "--json"});
   expect_help({"compare"},
               {"SCENE", "--view", "--eye", "--eae", "--no-eae", "--picture", "--fraction", "--methods", "--views", "--seed", "--no-host-times", "twin", "native"});

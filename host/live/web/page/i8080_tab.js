@@ -2,7 +2,6 @@
 // plotter or the priority display draws the picture at the machine's own speed.
 
 import {Clock, button, check, choice, download, downloadPicture, element, factList, field, fileTaker, fold, group, introduction, notice, runFor} from './ui.js';
-import {sampled} from './expression.js';
 import {camera} from './camera.js';
 import {Flight} from './flight.js';
 import {oneOf, anyText, named, number as numeric, optionsOf} from './links.js';
@@ -10,6 +9,7 @@ import {COLOURS, GREYS, RasterImage} from './raster.js';
 import {errorText} from './files.js';
 
 const CLOCK = 3e6;  // T-states per second
+const DOMAIN = 6;  // an expression is drawn from -6 to 6
 const PENS = {calcomp: 'CalComp 565', minigraf: 'Minigraf 0507'};
 const SCENES = [['boxes-5', 'five boxes'], ['boxes-8', 'eight boxes'], ['house', 'house'], ['roberts', 'notched block'], ['town-2', 'two houses of a town'], ['star.off', 'star'], ['crossed.off', 'two bars that interlock']];
 
@@ -137,14 +137,14 @@ export class I8080Tab {
     if (what === 'stripes') return {do: what, scene: o.scene, device: o.device, camera: camera(o.rotation, Math.max(0, Math.min(80, o.elevation)))};
     const request = {do: what, picture: o.picture, device: o.device, rotation: o.rotation, elevation: o.elevation, zoom: o.zoom, levels: o.levels, visibility: o.visibility};
     if (name !== '') return {...request, function: name, points: o.points, slices: o.slices};
-    return {...request, function: o.text, ...sampled(o.text, 6, Math.max(2, Math.min(128, o.points)), Math.max(2, Math.min(128, o.slices)))};
+    return {...request, function: o.text, expression: o.text, domain: DOMAIN, points: Math.min(128, o.points), slices: Math.min(128, o.slices)};
   }
 
   restart() {
     if (this.id) this.module.ask({do: 'drop', id: this.id});
     this.id = 0;
     let made;
-    try { made = this.flies ? this.flight.make() : this.module.ask(this.request(this.options.program)); } catch (error) { made = {error: `${this.options.text}: ${error.message}`}; }
+    try { made = this.flies ? this.flight.make() : this.module.ask(this.request(this.options.program)); } catch (error) { made = {error: error.message}; }
     this.made = null;
     if (made.error) return this.message.say(made.error, true);
     this.message.say('');
@@ -196,8 +196,7 @@ export class I8080Tab {
     return true;
   }
   cost() {
-    let answer;
-    try { answer = this.module.ask(this.request('cost')); } catch (error) { answer = {error: error.message}; }
+    const answer = this.module.ask(this.request('cost'));
     if (answer.error) return this.message.say(answer.error, true);
     const ms = states => `${(states / CLOCK * 1000).toFixed(0)} ms`;
     this.costs.textContent = `With hidden lines removed ${ms(answer.with)} (${answer.with.toLocaleString('en')} clock cycles), all lines whole ${ms(answer.without)}: ${(answer.with / answer.without).toFixed(2)} times as long.`;
@@ -296,7 +295,8 @@ export class I8080Tab {
         : part ? {function: named('function', part, has(this.pick).filter(Boolean), query)} : query.has('f') ? {function: ''} : {};
       const {f, ...given} = optionsOf(query, stripes ? look : {picture: oneOf(has(this.kind)), ...look, ...(part ? {} : {f: anyText})});
       if (f !== undefined) {
-        try { sampled(f, 6, 2, 2); } catch (error) { throw new Error(`The link has f=${f}: ${error.message}.`); }
+        const {error} = this.module.ask({do: 'expression', expression: f});
+        if (error) throw new Error(`The link has f=${f}: ${error}.`);
         changes.text = f;
       }
       Object.assign(o, {program}, changes, given);

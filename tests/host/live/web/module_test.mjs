@@ -297,7 +297,7 @@ for (const scene of ['house', 'roberts', 'boxes-12', 'bricks-4', 'rooms-2']) {
 const bad = ['', '{', '[]', '5', 'null', '{"do":5}', '{"do":"make"}', '{"do":"make","machine":"pdp7","options":{"--load":["no"]}}', '{"do":"state","id":99}',
   '{"do":"jones","scene":"boxes-3"}', '{"do":"jones","scene":"nothing"}', '{"do":"draw","scene":"house","algorithm":"x"}',
   '{"do":"draw","scene":"house","algorithm":"exact","camera":{"eye":[1,2]}}', '{"do":"draw","scene":"house","algorithm":"exact","camera":{"forward":[0,0,0]}}',
-  '{"do":"skala","heights":[1,2],"points":2,"slices":2}', '{"do":"skala","heights":["a",null,{},[]],"points":2,"slices":2}', '{"do":"skala","function":"no"}',
+  '{"do":"skala","expression":"x+","points":2,"slices":2}', '{"do":"skala","expression":["a",null],"domain":"x"}', '{"do":"expression","expression":"x**z"}', '{"do":"skala","function":"no"}',
   '{"do":"explain","algorithm":"exact","scene":"no"}', '{"do":"assemble","machine":"pdp7","sources":[]}', '{"do":"file","name":"no"}'];
 for (const text of bad) {
   let request;

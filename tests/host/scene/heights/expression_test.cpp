@@ -87,16 +87,66 @@ TEST(SampleExpression, ErrorsHaveAPosition) {
   EXPECT_EQ(error_of("max(x,z), z").place, "9");
 }
 
-// The parser counts from 0 and states that within its sentences.
-TEST(SampleExpression, OnePositionIsReported) {
+TEST(SampleExpression, TextsThatAreNoExpressions) {
   for (const char* wrong : {"x + w", "x + ", "(x + z", "x z", "x + * z", "x,z", "sin(x,z)", "x : z", "\"x",
                             "sin()", ")", "max()", "(x,z)", "x ? z"}) {
     const base::Error error = error_of(wrong);
-    EXPECT_EQ(error.message(base::MessageStyle::position).find("position"), std::string::npos)
-        << error.message(base::MessageStyle::position);
-    EXPECT_GT(error.found.size(), std::string("an error: ").size()) << wrong;
+    EXPECT_FALSE(error.place.empty() || error.found.empty() || error.expected.empty()) << wrong;
   }
   EXPECT_EQ(error_of("x,z").place, "2");
+}
+
+// Places of the errors, counted by hand.
+TEST(SampleExpression, Errors) {
+  const auto message = [](const std::string& text) {
+    base::Error error = error_of(text);
+    error.excerpt.clear();
+    return error.message(base::MessageStyle::position);
+  };
+  EXPECT_EQ(message("x + w"),
+            "--function:5: found the unknown name w, expected x, y or z, pi, e or a function: sin cos tan asin acos atan atan2 sinh cosh tanh "
+            "asinh acosh atanh exp ln log log2 log10 sqrt abs sign rint min max sum avg");
+  EXPECT_EQ(message("x + "), "--function:5: found the end of the expression, expected a number, x, y, z, pi, e, a function or '('");
+  EXPECT_EQ(message("(x + z"), "--function:7: found the end of the expression, expected an operator or ')'");
+  EXPECT_EQ(message("x : z"), "--function:3: found ':', expected an operator or the end");
+  EXPECT_EQ(message("x ? z"), "--function:6: found the end of the expression, expected ':' and the value if the condition does not hold");
+  EXPECT_EQ(message("1 + atan2(z)"), "--function:5: found atan2 of 1 value, expected 2 values");
+  EXPECT_EQ(message("sin x"), "--function:5: found 'x', expected '(' and the values of sin");
+  EXPECT_EQ(message("x == 1e999"), "--function:6: found a number beyond the largest double, expected a number up to 1.7e308");
+  EXPECT_EQ(message("x *= 2"), "--function:4: found an assignment, expected == for a comparison");
+  EXPECT_EQ(message(std::string(101, '(')), "--function:101: found an expression within more than 100 others, expected a flatter one");
+  for (const std::string deep : {"(", "sin(", "x?", "x?1:", "x^"}) {
+    std::string text;
+    while (text.size() + deep.size() < longest_expression) text += deep;
+    EXPECT_NE(message(text), "") << deep;
+  }
+}
+
+// Worked out by hand.
+TEST(Expression, Values) {
+  struct Case {
+    const char* text;
+    double x, z, value;
+  };
+  for (const Case& each : {Case{"2^3^2", 0, 0, 512}, {"-2^2", 0, 0, -4}, {"(-2)^2", 0, 0, 4}, {"2^-1^2", 0, 0, 0.5}, {"2*-x", 3, 0, -6}, {"7-4-2", 0, 0, 1}, {"16/4/2", 0, 0, 2},
+                           {"1+2*3", 0, 0, 7}, {"x>z?1:2", 1, 0, 1}, {"x>z?1:2", 0, 1, 2}, {"x?1:z?2:3", 0, 0, 3}, {"1<2==2", 0, 0, 0}, {"1||0&&0", 0, 0, 1}, {"0.5&&0.1", 0, 0, 1},
+                           {"2 < 1 || 3 != 3", 0, 0, 0}, {"x<=-1", -1, 0, 1}, {"min(3,1,2)", 0, 0, 1}, {"max(3,1,x)", 9, 0, 9}, {"sum(1,2,3)", 0, 0, 6}, {"avg(x,z)", 1, 4, 2.5}, {"min(x)", 5, 0, 5},
+                           {"atan2(0,-1)", 0, 0, std::numbers::pi}, {"log(e)", 0, 0, 1}, {"ln(e)", 0, 0, 1}, {"log2(8)", 0, 0, 3}, {"log10(1000)", 0, 0, 3}, {"sign(x)", -7, 0, -1},
+                           {"sign(x)", 0, 0, 0}, {"rint(x)", 2.5, 0, 3}, {"rint(x)", -2.5, 0, -2}, {"abs(x)", -2, 0, 2}, {"1e-1*.5", 0, 0, 0.05}, {"2.", 0, 0, 2}, {"+x", 4, 0, 4},
+                           {"x - -z", 4, 1, 5}, {"x^4-x^3", 2, 0, 8}, {"x^0.5", 9, 0, 3}, {"cosh(0)+sinh(0)+tanh(0)+exp(0)", 0, 0, 2}, {"asinh(0)+acosh(1)+atanh(0)", 0, 0, 0}}) {
+    const auto parsed = Expression::parse(each.text);
+    ASSERT_TRUE(parsed) << each.text << ": " << parsed.error().message();
+    EXPECT_DOUBLE_EQ((*parsed)(each.x, each.z), each.value) << each.text;
+  }
+  EXPECT_EQ(Expression::parse("x+y")->second(), 'y');
+  EXPECT_EQ((*Expression::parse("sin(sqrt(-1)) ? 1 : 2"))(0, 0), 1) << "NaN is not 0";
+}
+
+// Texts of other languages, and what is no part of this one.
+TEST(Expression, Refused) {
+  for (const char* wrong : {"", " ", "x z", "2x", "1..2", "1.2.3", ".", "1e", "0x10", "x**z", "x^", "?x:z", "!x", "x&z", "x|z", "x%2", "x>>1", "- -x", "--x", "+-x", "sin", "sin()", "sin(x,z)",
+                            "min()", "_pi", "_e", "\"a\"", "x,z", "(x,z)", "x)", "()", "x=1", "x=>1", "x!z", "X", "SIN(x)", "sin (", "f(x)", "pi(x)", "x(2)"})
+    EXPECT_FALSE(Expression::parse(wrong)) << wrong;
 }
 
 TEST(SampleExpression, AnAngleOfTwo) {

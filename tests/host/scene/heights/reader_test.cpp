@@ -48,9 +48,9 @@ TEST(ReadHeightGrid, NumbersTooNearZeroAreZero) {
   EXPECT_NE(error_of("1e400,0\n0,1\n"), "no error");
 }
 
-// Different in the file, equal in [-1, 1].
-TEST(ReadHeightGrid, CoincidentPositions) {
-  EXPECT_NE(error_of("0 0 1\n1e-30 0 2\n1 0 3\n2 0 3\n\n0 5 4\n1e-30 5 5\n1 5 6\n2 5 3\n")
+// Different in the file, the same in [-1, 1].
+TEST(ReadHeightGrid, PlacesThatCoincide) {
+  EXPECT_NE(error_of("0 0 1\n1e-30 0 2\n1 0 3\n2 0 3\n0 5 4\n1e-30 5 5\n1 5 6\n2 5 3\n")
                 .find("grid.txt:2:1: found a second point at x = 1e-30, y = 0 with the height 2, expected one height for each place; the first is 1 in line 1"),
             std::string::npos);
   EXPECT_NE(error_of("at,0,1e-30,1\n0,1,2,3\n1,4,5,6\n").find("grid.txt: found places that are too close to each other"), std::string::npos);
@@ -94,20 +94,21 @@ TEST(ReadHeightGrid, IncompleteBlocks) {
 }
 
 TEST(ReadHeightGrid, DamagedPoints) {
-  EXPECT_EQ(error_of("0 0 1\n1 0 2\n\n0 5 4\n1.5 5 5\n"),
+  EXPECT_EQ(error_of("0 0 1\n1 0 2\n0 5 4\n1.5 5 5\n"),
             "grid.txt: found 4 scattered points with 3 different values of x and 2 of y, no grid of columns and rows, expected a point at most places of a grid; "
-            "interpolate the points to a grid first, for example with gnuplot's dgrid3d");
-  EXPECT_EQ(error_of("0 0 1\n1 0 2\n\n0 0 4\n1 0 5\n"),
-            "grid.txt: found 4 points with the same y, expected at least two different values of y");
-  EXPECT_EQ(error_of("0 0 1\n1 1 2\n\n0 5 4\n1 6 5\n"),
-            "grid.txt: found 2 blocks of points in which both x and y change: a parametric surface or a rotated grid, expected heights over a grid: in each block x or "
-            "y is the same; parametric surfaces are not read");
-  EXPECT_EQ(error_of("0 0 1\n0 1 2\n\n1 0 4\n2 1 2\n").substr(0, 31), "grid.txt: found 2 blocks of poi") << "the second block turns";
+            "use --triangulate; use --layout matrix if each line is a row of heights");
+  const std::string net = "grid.txt: found 2 blocks of points that form no grid: a parametric surface, expected heights over a grid: in each block x or y is the same; "
+                          "sightline draw skala draws it";
+  for (const char* text : {"0 0 1\n1 0 2\n\n0 5 4\n1.5 5 5\n", "0 0 1\n1 0 2\n\n0 0 4\n1 0 5\n", "0 0 1\n1 1 2\n\n0 5 4\n1 6 5\n", "0 0 1\n0 1 2\n\n1 0 4\n2 1 2\n"})
+    EXPECT_EQ(error_of(text), net) << text;
+  EXPECT_EQ(error_of("0 0 1\n1 1 2\n\n0 5 4\n1 6 5\n2 7 6\n"),
+            "grid.txt:4:1: found block 2 of 3 points, expected 2 as in the first block; points of a surface are a grid of columns and rows, or blocks of equal length "
+            "between blank lines; others need --triangulate");
   EXPECT_EQ(error_of("nan 0 1\nnan 1 2\n\n0 0 4\n0 1 2\n"), "grid.txt:1:1: found no x, expected a number; only a height may be missing");
   // An upright sheet.
   EXPECT_EQ(error_of("0 0 0\n0 1 0\n\n0 0 1\n0 1 1\n\n1 0 1\n1 1 1\n"),
-            "grid.txt:4:1: found a second point at x = 0, y = 0 with the height 1, expected one height for each place; the first is 0 in line 1; "
-            "parametric surfaces are not read");
+            "grid.txt: found 3 blocks of points that form no grid: a parametric surface, expected heights over a grid: in each block x or y is the same; "
+            "sightline draw skala draws it");
   EXPECT_NE(error_of("0 0 1\n5e-324 0 2\n\n0 5 4\n5e-324 5 5\n"), "no error");
 }
 
@@ -138,7 +139,7 @@ TEST(ReadHeightGrid, MissingCellsAreHoles) {
     EXPECT_EQ(grid.range, (Interval{1, 5})) << text;
   }
   // The first cell is missing: the first column does not ascend, so it is not a table.
-  const HeightGrid first = grid_of(",2,3\n4,5,6\n1,8,9\n2,3,4\n");
+  const HeightGrid first = grid_of(",2,3\n4,5,6\n4,8,9\n");
   EXPECT_EQ(first.points(), 3U);
   EXPECT_TRUE(std::isnan(first.height(0, 0)));
 }
@@ -193,7 +194,7 @@ TEST(ReadHeightGrid, RequestedColumns) {
 
 TEST(ReadHeightGrid, DamagedPointsInAnyOrder) {
   EXPECT_EQ(error_of("x,y,z\n0,0,1\n1,1,2\n0,0,3\n"),
-            "grid.txt:4:1: found a second point at x = 0, y = 0 with the height 3, expected one height for each place; the first is 1 in line 2");
+            "grid.txt:4:1: found a second point at x = 0, y = 0 with the height 3, expected one height for each place; the first is 1 in line 2; leave out one of them");
   EXPECT_EQ(error_of("x,y,z\n0,0,1\n1,,2\n0,1,3\n"), "grid.txt:3:3: found no y, expected a number; only a height may be missing");
   EXPECT_EQ(error_of("x,y,z\n0,0,1\n1,2\n"), "grid.txt:3:4: found 2 fields, expected 3 as in line 1");
   EXPECT_EQ(error_of("x,y,z\n0,0,1\n0,1,2\n"), "grid.txt: found 2 points with the same x, expected at least two different values of x");
@@ -201,7 +202,7 @@ TEST(ReadHeightGrid, DamagedPointsInAnyOrder) {
   for (int i = 0; i < 9; ++i) anywhere += std::to_string(i) + "." + std::to_string(i) + "," + std::to_string(8 - i) + ",1\n";
   EXPECT_EQ(error_of(anywhere),
             "grid.txt: found 9 scattered points with 9 different values of x and 9 of y, no grid of columns and rows, expected a point at most places of a grid; "
-            "interpolate the points to a grid first, for example with gnuplot's dgrid3d");
+            "use --triangulate");
 }
 
 TEST(ReadHeightGrid, DamagedShapes) {
@@ -214,7 +215,7 @@ TEST(ReadHeightGrid, DamagedShapes) {
   std::string wide;
   for (int i = 0; i < 1025; ++i) wide += "0 ";
   EXPECT_EQ(error_of(wide + "\n" + wide),
-            "grid.txt:1:2049: found more than 1024 fields, expected at most 1024");
+            "grid.txt: found 2 slices of 1025 points, expected at most 1024 of 1024; --thin 2 takes every 2nd point");
   std::string tall;
   for (int i = 0; i < 1025; ++i) tall += "0 0\n";
   EXPECT_NE(error_of(tall).find("1025 slices of 2 points, expected at most 1024"), std::string::npos);
@@ -302,7 +303,7 @@ TEST(GridLayouts, RepeatedPoints) {
   EXPECT_EQ(grid.note, "read as x y z in columns, a grid of 3 x 2, 2 repeated points left out");
   EXPECT_EQ(note_of("x,y,z\n0,0,1\n1,0,\n0,1,3\n1,1,3\n1,0,\n"), "1 repeated point left out");
   EXPECT_EQ(error_of("0 0 1\n1 0 2\n4 0 3\n0 5 4\n1 5 5\n4 5 6\n1 5 7\n"),
-            "grid.txt:7:1: found a second point at x = 1, y = 5 with the height 7, expected one height for each place; the first is 5 in line 5; "
+            "grid.txt:7:1: found a second point at x = 1, y = 5 with the height 7, expected one height for each place; the first is 5 in line 5; leave out one of them; "
             "use --layout matrix if each line is a row of heights");
   // Two scans of all positions, with different heights: never a matrix.
   EXPECT_NE(error_of("0 0 1\n1 0 2\n0 5 3\n1 5 4\n0 0 5\n1 0 6\n0 5 7\n1 5 8\n").find("grid.txt:5:1: found a second point"), std::string::npos);
@@ -315,7 +316,6 @@ TEST(GridLayouts, FewColumnsAreNotAMatrix) {
   for (int i = 0; i < 13; ++i) four += std::to_string(i * i % 23) + "." + std::to_string(i) + "," + std::to_string(i * i * i % 29) + ".5,3,4\n";
   EXPECT_NE(error_of(four).find("found 13 scattered points"), std::string::npos);
   EXPECT_EQ(note_of(four, {{}, GridLayout::matrix}), "");
-  EXPECT_EQ(note_of("0,1,0\n0,2,0\n0,3,0\n0,1,0\n"), "read as a matrix of 4 rows and 3 columns; if they are x y z, use --layout points") << "one x";
   EXPECT_NE(error_of("0,1,0\n0,2,0\n0,3,0\n0,4,0\n").find("found 4 points with the same x"), std::string::npos);
   EXPECT_EQ(error_of("0 5 1\n1 5 2\n2 5 3\n3 5 2\n4 5 1\n5 5 1\n6 5 1\n7 5 0\n8 5 1\n9 5 1\n"),
             "grid.txt: found 10 points with the same y, expected at least two different values of y; use --layout matrix if each line is a row of heights");
@@ -337,8 +337,8 @@ TEST(GridLayouts, DecimalCommas) {
 
 TEST(GridLayouts, BinaryFiles) {
   using namespace std::string_view_literals;
-  const std::string wanted = ", expected a text of heights; save it as text in UTF-8, such as CSV, or as an ESRI ASCII grid";
-  EXPECT_EQ(error_of("DSBB\0\0"sv), "grid.txt: found a binary Surfer grid" + wanted);
+  const std::string wanted = ", expected a grid of heights; save it as text in UTF-8, such as CSV, or as an ESRI ASCII grid";
+  EXPECT_EQ(error_of("DSRB\0\0"sv), "grid.txt: found a grid of Surfer 7" + wanted);
   EXPECT_EQ(error_of("II*\0\0"sv), "grid.txt: found a TIFF image" + wanted);
   // Its first line would be a comment.
   EXPECT_EQ(error_of("%PDF-1.4\n1 2\n3 4\n"), "grid.txt: found a PDF document" + wanted);
@@ -367,7 +367,7 @@ TEST(EsriGrid, PositionsAreTheMiddlesOfCells) {
   EXPECT_EQ(centres.domain_z, (Interval{0, 3}));
   EXPECT_TRUE(std::isnan(centres.height(0, 1)) && std::isnan(centres.height(1, 1)));
   EXPECT_EQ(note_of(cells, {{}, GridLayout::matrix}),
-            "grid.txt: found an ASCII grid of ESRI or Surfer, whose layout is known, expected a file of numbers; leave out --layout and --xyz");
+            "grid.txt: found an ESRI ASCII grid, whose layout is known, expected a file of numbers; leave out --layout, --xyz and --triangulate");
 }
 
 // GDAL writes nan for holes and declares it.
@@ -380,15 +380,14 @@ TEST(EsriGrid, NanForUndefinedHeights) {
 TEST(EsriGrid, Damaged) {
   const std::string header = "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
   EXPECT_EQ(error_of(header + "1 2 3\n"), "grid.txt:7:1: found the end of the file, expected a height");
-  EXPECT_EQ(error_of(header + "1 2\n3 4\n5 6\n"), "grid.txt:8:1: found '5', expected the end of the file after 4 heights");
+  EXPECT_EQ(error_of(header + "1 2\n3 4\n5 6\n"), "grid.txt:8:1: found '5', expected the end of the file after 4 heights; correct the numbers of columns and rows in the header");
   EXPECT_EQ(error_of(header + "1 2\n3 four\n"), "grid.txt:7:3: found 'four', expected a height");
   EXPECT_EQ(error_of(header + "byteorder LSBFIRST\n1 2\n3 4\n"), "grid.txt:6:1: found 'byteorder', expected a key of an ESRI ASCII grid, such as ncols, or a height");
-  EXPECT_EQ(error_of("ncols 1\nnrows 2\n"), "grid.txt:1:7: found '1', expected a number from 2 to 1024");
+  EXPECT_EQ(error_of("ncols 1\nnrows 2\n"), "grid.txt:1:7: found '1', expected a number from 2 to 32767");
   EXPECT_EQ(error_of("ncols 2\nncols 2\n"), "grid.txt:2:1: found 'ncols', expected each key once");
   EXPECT_EQ(error_of("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\n1 2 3 4\n"),
             "grid.txt: found an ESRI ASCII grid without cellsize, expected its header before the heights: ncols, nrows, xllcorner, yllcorner, cellsize");
-  EXPECT_EQ(error_of("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize -1\n1 2 3 4\n"),
-            "grid.txt: found places from -0.5 to -1.5, expected places that rise, of finite numbers");
+  EXPECT_EQ(error_of("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize -1\n1 2 3 4\n"), "grid.txt:5:10: found '-1', expected the value of cellsize, above 0");
 }
 
 TEST(SurferGrid, RowsBeginInTheSouth) {
@@ -400,7 +399,7 @@ TEST(SurferGrid, RowsBeginInTheSouth) {
   EXPECT_EQ(grid.height(0, 1), 4);
   EXPECT_TRUE(std::isnan(grid.height(1, 1)));
   EXPECT_EQ(error_of("DSAA\n3 2\n10 14\n20 21\n1 6\n1 2 3\n4 5\n"), "grid.txt:8:1: found the end of the file, expected a height");
-  EXPECT_EQ(error_of("DSAA\n3 2000\n"), "grid.txt:2:3: found '2000', expected a number of rows from 2 to 1024");
+  EXPECT_EQ(error_of("DSAA\n3 -2\n"), "grid.txt:2:3: found '-2', expected a number of rows from 2 to 32767");
   EXPECT_EQ(error_of("DSAA\n3 2\n10 x\n"), "grid.txt:3:4: found 'x', expected the greatest x");
 }
 
@@ -442,7 +441,7 @@ TEST(LoadHeightGrid, SurfacesThatAreNotOverAGrid) {
     return grid ? "no error" : grid.error().found;
   };
   EXPECT_EQ(error("xyz-scatter.xyz"), "60 scattered points with 60 different values of x and 60 of y, no grid of columns and rows");
-  EXPECT_EQ(error("gnuplot-parametric.dat"), "4 blocks of points in which both x and y change: a parametric surface or a rotated grid");
+  EXPECT_EQ(error("gnuplot-parametric.dat"), "4 blocks of points that form no grid: a parametric surface");
 }
 
 }  // namespace
