@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "host/geometry/vector.hpp"
 
@@ -22,7 +23,7 @@ double square(const geometry::Vector3& v) {
 
 geometry::Vector3 area_of(const std::vector<scene::PolyPoint>& vertices, const scene::PolyFace& face) {
   geometry::Vector3 sum{};
-  const auto add = [&](const std::vector<scene::VertexIndex>& ring) {
+  const auto add = [&](std::span<const scene::VertexIndex> ring) {
     for (std::size_t i = 2; i < ring.size(); ++i) {
       const auto part = geometry::normal_of(vertices[ring[0]], vertices[ring[i - 1]], vertices[ring[i]]);
       for (std::size_t a = 0; a < 3; ++a) sum[a] += part[a];

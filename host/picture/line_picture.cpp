@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include "host/geometry/integer.hpp"
@@ -13,7 +14,7 @@ namespace sightline::picture {
 
 namespace {
 
-void append_ring(const std::vector<scene::VertexIndex>& ring, std::vector<LineEdge>& edges) {
+void append_ring(std::span<const scene::VertexIndex> ring, std::vector<LineEdge>& edges) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const scene::VertexIndex a = ring[i];
     const scene::VertexIndex b = ring[i + 1 == ring.size() ? 0 : i + 1];
@@ -124,7 +125,7 @@ class Spokes {
     for (const auto& hole : face.holes) add_ring(hole, face.outline, normal);
   }
 
-  [[nodiscard]] bool has_drawn(const std::vector<VertexIndex>& ring) const {
+  [[nodiscard]] bool has_drawn(std::span<const VertexIndex> ring) const {
     for (std::size_t i = 0; i < ring.size(); ++i)
       if (is_drawn(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1])) return true;
     return false;
@@ -132,7 +133,7 @@ class Spokes {
 
   // The face is to the left of every ring, seen against the normal. Any corner beside the line of a side
   // gives a direction in the face or exactly out of it.
-  void add_ring(const std::vector<VertexIndex>& ring, const std::vector<VertexIndex>& corners,
+  void add_ring(std::span<const VertexIndex> ring, std::span<const VertexIndex> corners,
                 const Vector& normal) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const VertexIndex p = ring[i];

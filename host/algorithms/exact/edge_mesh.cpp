@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 
 namespace sightline::algorithms::exact {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 using scene::VertexIndex;
 
 // Corners of one ring; sides are filled in when all edges are known.
-void append_ring(const std::vector<VertexIndex>& ring, EdgeMesh& mesh) {
+void append_ring(std::span<const VertexIndex> ring, EdgeMesh& mesh) {
   const std::size_t first = mesh.corners.size();
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (ring[i] != ring[i + 1 == ring.size() ? 0 : i + 1]) mesh.corners.push_back({ring[i] & 0x7fffffffU, 0, 0});

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "host/base/result.hpp"
@@ -17,7 +18,6 @@ namespace sightline::scene {
 namespace {
 
 using geometry::Point2;
-using Ring = std::vector<VertexIndex>;
 
 // Where very many edges are side by side the work grows with their square: four million pairs that may meet,
 // or sixteen times as many of which only the bounds are compared, are enough.
@@ -330,7 +330,7 @@ bool check_references(const PolyScene& scene, std::vector<bool>& used, Problems&
     const PolyBody& body = scene.bodies[b];
     if (body.faces.empty()) problems.add(body_place(scene, b), "has no faces");
     for (std::size_t f = 0; f < body.faces.size() && !problems.full(); ++f) {
-      const auto mark = [&](const std::vector<VertexIndex>& ring) {
+      const auto mark = [&](std::span<const VertexIndex> ring) {
         for (const VertexIndex v : ring) {
           if (v < used.size()) {
             used[v] = true;
@@ -378,7 +378,7 @@ void check_vertices(const PolyScene& scene, const std::vector<bool>& used, Probl
 
 }  // namespace
 
-bool is_simple_face(const std::vector<PolyPoint>& vertices, const std::vector<VertexIndex>& ring) {
+bool is_simple_face(const std::vector<PolyPoint>& vertices, std::span<const VertexIndex> ring) {
   if (ring.size() == 3) return true;
   PolyScene alone;  // with its own numbers: the vertices of a mesh are many
   PolyFace face;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <span>
 #include <tuple>
 
 #include "host/geometry/predicates.hpp"
@@ -11,7 +12,7 @@
 namespace sightline::scene {
 namespace {
 
-void add_ring(const std::vector<VertexIndex>& ring, std::size_t face, std::vector<FaceEdge>& edges) {
+void add_ring(std::span<const VertexIndex> ring, std::size_t face, std::vector<FaceEdge>& edges) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const VertexIndex from = ring[i];
     const VertexIndex to = ring[i + 1 == ring.size() ? 0 : i + 1];
@@ -19,7 +20,7 @@ void add_ring(const std::vector<VertexIndex>& ring, std::size_t face, std::vecto
   }
 }
 
-geometry::Int128 ring_volume(const std::vector<PolyPoint>& vertices, const std::vector<VertexIndex>& ring) {
+geometry::Int128 ring_volume(const std::vector<PolyPoint>& vertices, std::span<const VertexIndex> ring) {
   geometry::Int128 volume = 0;
   const auto origin = geometry::vector_of(vertices[ring[0]]);
   for (std::size_t i = 2; i < ring.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace sightline::scene {
@@ -15,7 +16,7 @@ constexpr std::uint32_t no_face = std::numeric_limits<std::uint32_t>::max();
 template <class Visit>
 void for_sides(const PolyScene& scene, Visit visit) {
   std::uint32_t number = 0;
-  const auto ring = [&](const std::vector<VertexIndex>& vertices) {
+  const auto ring = [&](std::span<const VertexIndex> vertices) {
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       const VertexIndex from = vertices[i];
       const VertexIndex to = vertices[i + 1 == vertices.size() ? 0 : i + 1];

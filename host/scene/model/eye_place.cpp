@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ using geometry::Point2;
 using geometry::Vector3;
 
 // Twice the area of the outline, as a vector; partial sums wrap without harm.
-Vector3 normal_of(const std::vector<PolyPoint>& vertices, const std::vector<VertexIndex>& outline) {
+Vector3 normal_of(const std::vector<PolyPoint>& vertices, std::span<const VertexIndex> outline) {
   std::array<std::uint64_t, 3> sum{};
   const PolyPoint& about = vertices[outline[0]];
   for (std::size_t i = 2; i < outline.size(); ++i) {
@@ -58,7 +59,7 @@ class FaceAndEye {
   }
 
  private:
-  [[nodiscard]] int locate(const std::vector<VertexIndex>& ring, std::size_t axis) const {
+  [[nodiscard]] int locate(std::span<const VertexIndex> ring, std::size_t axis) const {
     std::vector<Point2> flat;
     flat.reserve(ring.size());
     for (const VertexIndex v : ring) flat.push_back(geometry::flattened(vertices_[v], axis));
@@ -66,7 +67,7 @@ class FaceAndEye {
   }
 
   // Seen along x: (y, z). The point is at z + e and y - e^2.
-  [[nodiscard]] bool surrounds(const std::vector<VertexIndex>& ring) const {
+  [[nodiscard]] bool surrounds(std::span<const VertexIndex> ring) const {
     const Point2 p = geometry::flattened(eye_, 0);
     bool inside = false;
     for (std::size_t i = 0; i < ring.size(); ++i) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "host/geometry/predicates.hpp"
+#include "host/scene/model/ring.hpp"
 
 namespace sightline::scene {
 
@@ -22,7 +23,6 @@ namespace sightline::scene {
 inline constexpr std::int32_t poly_coordinate_limit = 1 << 18;
 
 using PolyPoint = std::array<std::int32_t, 3>;
-using VertexIndex = std::uint32_t;
 
 // Where a scene lies in the file it came from, in steps: wide, as a part may lie far from 0. Below 2^53 in magnitude, and so
 // are all its coordinates from 0, so that each is a double.
@@ -30,8 +30,8 @@ using PolyOrigin = std::array<std::int64_t, 3>;
 
 // A planar region: counterclockwise outline seen from outside, clockwise holes.
 struct PolyFace {
-  std::vector<VertexIndex> outline;
-  std::vector<std::vector<VertexIndex>> holes;
+  Ring outline;
+  std::vector<Ring> holes;
 
   friend bool operator==(const PolyFace&, const PolyFace&) = default;
 };

@@ -23,7 +23,6 @@
 namespace sightline::scene {
 namespace {
 
-using Ring = std::vector<VertexIndex>;
 
 void append_point(std::string& text, const PolyScene& scene, const PolyPoint& p) {
   for (std::size_t a = 0; a < 3; ++a) {

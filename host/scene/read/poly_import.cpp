@@ -26,7 +26,6 @@ namespace {
 
 constexpr VertexIndex no_point = std::numeric_limits<VertexIndex>::max();
 
-using Ring = std::vector<VertexIndex>;
 using Triangles = std::vector<std::array<VertexIndex, 3>>;
 
 class Import {

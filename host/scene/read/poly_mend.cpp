@@ -23,7 +23,6 @@
 namespace sightline::scene {
 namespace {
 
-using Ring = std::vector<VertexIndex>;
 
 constexpr std::uint32_t no_part = std::numeric_limits<std::uint32_t>::max();
 

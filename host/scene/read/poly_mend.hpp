@@ -40,7 +40,7 @@ struct FileFaces {
   std::vector<VertexIndex> corners;
   std::vector<std::uint32_t> starts = {0};  // of each face in corners, and where the last one ends
 
-  void add(const std::vector<VertexIndex>& outline) {
+  void add(std::span<const VertexIndex> outline) {
     corners.insert(corners.end(), outline.begin(), outline.end());
     starts.push_back(static_cast<std::uint32_t>(corners.size()));
   }
