@@ -20,16 +20,6 @@ void add_ring(std::span<const VertexIndex> ring, std::size_t face, std::vector<F
   }
 }
 
-geometry::Int128 ring_volume(const std::vector<PolyPoint>& vertices, std::span<const VertexIndex> ring) {
-  geometry::Int128 volume = 0;
-  const auto origin = geometry::vector_of(vertices[ring[0]]);
-  for (std::size_t i = 2; i < ring.size(); ++i) {
-    volume += geometry::determinant(origin, geometry::vector_of(vertices[ring[i - 1]]),
-                                    geometry::vector_of(vertices[ring[i]]));
-  }
-  return volume;
-}
-
 struct BodyShell {
   std::size_t body = 0;
   geometry::Int128 volume = 0;
@@ -109,9 +99,17 @@ std::vector<std::size_t> connected_faces(const PolyBody& body, const std::vector
   return parts;
 }
 
+geometry::Int128 enclosed_volume(const std::vector<PolyPoint>& vertices, std::span<const VertexIndex> outline) {
+  geometry::Int128 volume = 0;
+  const auto origin = geometry::vector_of(vertices[outline[0]]);
+  for (std::size_t i = 2; i < outline.size(); ++i)
+    volume += geometry::dot(origin, geometry::cross(geometry::vector_of(vertices[outline[i - 1]]), geometry::vector_of(vertices[outline[i]])));
+  return volume;
+}
+
 geometry::Int128 enclosed_volume(const std::vector<PolyPoint>& vertices, const PolyFace& face) {
-  geometry::Int128 volume = ring_volume(vertices, face.outline);
-  for (const auto& hole : face.holes) volume += ring_volume(vertices, hole);
+  geometry::Int128 volume = enclosed_volume(vertices, std::span<const VertexIndex>(face.outline));
+  for (const auto& hole : face.holes) volume += enclosed_volume(vertices, std::span<const VertexIndex>(hole));
   return volume;
 }
 

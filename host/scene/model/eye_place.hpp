@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "host/base/result.hpp"
@@ -34,8 +35,9 @@ struct EyePlace {
 // body and face if not. The eye of an orthographic camera is no place, so it can be anywhere.
 [[nodiscard]] std::optional<base::Error> eye_error(const PolyScene& scene, const PolyCamera& camera);
 
-// Whether the ray along +x from a point, moved aside as above, crosses a face, on whose plane the point is not; false if it is.
-[[nodiscard]] bool ray_crosses(const std::vector<PolyPoint>& vertices, const PolyFace& face, const PolyPoint& from);
+// Whether the ray along +x from a point, moved aside as above, crosses a face without holes, on whose plane the point is not; false
+// if it is.
+[[nodiscard]] bool ray_crosses(const std::vector<PolyPoint>& vertices, std::span<const VertexIndex> outline, const PolyPoint& from);
 
 // Which cell is a point in?
 
