@@ -77,15 +77,15 @@ void tidy_vertices(PolyScene& scene) {
     }
   }
   for (scene::PolyWire& wire : scene.wires) {
-    std::vector<VertexIndex> ends(wire.begin(), wire.end());
+    scene::Ring ends(wire.begin(), wire.end());
     rename(ends);
     wire = {ends[0], ends[1]};
   }
   scene.vertices = std::move(kept);
 }
 
-template <class Element>
-void erase(std::vector<Element>& list, std::size_t first, std::size_t count) {
+template <class List>
+void erase(List& list, std::size_t first, std::size_t count) {
   const auto at = list.begin() + static_cast<std::ptrdiff_t>(first);
   list.erase(at, at + static_cast<std::ptrdiff_t>(count));
 }

@@ -32,6 +32,17 @@ class VertexPool {
     return number;
   }
 
+  // Room for so many vertices.
+  void reserve(std::size_t vertices) {
+    vertices_.reserve(vertices);
+    while (2 * vertices > places_.size()) grow();
+  }
+  // Asks the memory for the place of a point that is soon added.
+  void fetch(Point point) const {
+    for (Number& c : point) c += Number{0};
+    __builtin_prefetch(&places_[hash(point) & (places_.size() - 1)]);
+  }
+
   // Of another pool's vertices these are a copy.
   void place_as(const VertexPool& other) { places_ = other.places_; }
 

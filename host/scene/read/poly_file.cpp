@@ -272,18 +272,6 @@ std::optional<PolyFormat> format_by_content(const std::string_view whole) {
   return std::nullopt;
 }
 
-base::Result<PolyMesh> read_mesh(std::string_view text, std::string_view source, PolyFormat format, const std::string& folder) {
-  switch (format) {
-    case PolyFormat::off: return read_off(text, source);
-    case PolyFormat::stl: return read_stl(text, source);
-    case PolyFormat::ply: return read_ply(text, source);
-    case PolyFormat::gltf: return read_by_assimp(text, source, AssimpFormat::gltf, folder);
-    case PolyFormat::glb: return read_by_assimp(text, source, AssimpFormat::glb, folder);
-    case PolyFormat::threemf: return read_by_assimp(text, source, AssimpFormat::threemf, folder);
-    default: return read_obj(text, source);
-  }
-}
-
 }  // namespace
 
 std::optional<PolyFormat> poly_format_of(std::string_view file) {
@@ -302,6 +290,18 @@ PolyFormat poly_format_of(std::string_view file, std::string_view text) {
   if (is_binary_stl(text) || (stl && named == PolyFormat::stl)) return PolyFormat::stl;
   if (const auto told = format_by_content(text)) return *told;
   return named.value_or(stl ? PolyFormat::stl : PolyFormat::json);
+}
+
+base::Result<PolyMesh> read_mesh(std::string_view text, std::string_view source, PolyFormat format, const std::string& folder) {
+  switch (format) {
+    case PolyFormat::off: return read_off(text, source);
+    case PolyFormat::stl: return read_stl(text, source);
+    case PolyFormat::ply: return read_ply(text, source);
+    case PolyFormat::gltf: return read_by_assimp(text, source, AssimpFormat::gltf, folder);
+    case PolyFormat::glb: return read_by_assimp(text, source, AssimpFormat::glb, folder);
+    case PolyFormat::threemf: return read_by_assimp(text, source, AssimpFormat::threemf, folder);
+    default: return read_obj(text, source);
+  }
 }
 
 PolyImport import_unchanged(PolyScene scene) {

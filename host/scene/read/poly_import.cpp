@@ -15,6 +15,7 @@
 #include "host/scene/check/poly_shells.hpp"
 #include "host/scene/model/aim_camera.hpp"
 #include "host/scene/model/file_units.hpp"
+#include "host/scene/model/index_set.hpp"
 #include "host/scene/read/open_vertices.hpp"
 #include "host/scene/read/poly_mend.hpp"
 #include "host/scene/read/poly_planes.hpp"
@@ -320,6 +321,7 @@ class Import {
   // Of equal vertices those that were different before become one.
   void merge_vertices() {
     const auto& points = scene().vertices;
+    if (all_differ(points)) return;
     std::vector<VertexIndex> order(points.size());
     std::iota(order.begin(), order.end(), VertexIndex{0});
     std::stable_sort(order.begin(), order.end(),

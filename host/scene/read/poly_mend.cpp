@@ -17,6 +17,7 @@
 #include "host/scene/check/poly_shells.hpp"
 #include "host/scene/model/edge_table.hpp"
 #include "host/scene/model/eye_place.hpp"
+#include "host/scene/model/index_set.hpp"
 #include "host/scene/read/open_vertices.hpp"
 #include "host/scene/read/poly_triangulate.hpp"
 
@@ -26,68 +27,12 @@ namespace {
 
 constexpr std::uint32_t no_part = std::numeric_limits<std::uint32_t>::max();
 
-std::uint64_t spread(std::uint64_t key) {  // the bits of a key over all bits of a word (Steele's SplitMix)
-  key = (key ^ key >> 30U) * 0xbf58476d1ce4e5b9U;
-  key = (key ^ key >> 27U) * 0x94d049bb133111ebU;
-  return key ^ key >> 31U;
-}
-
-// A hash table of indices, found by a key of what they stand for. It has room for `most` of them.
-class IndexSet {
- public:
-  explicit IndexSet(std::size_t most) {
-    std::size_t size = 16;
-    while (size < 2 * most) size *= 2;
-    places_.resize(size);
-  }
-
-  // The index in the table for which `same` holds, else `number`, which is added. `same` is asked about equal keys alone, or nearly.
-  template <class Same>
-  std::uint32_t find_or_add(std::uint64_t key, std::uint32_t number, Same same) {
-    const std::uint64_t bits = spread(key);
-    const auto tag = static_cast<std::uint32_t>(bits >> 32U);
-    for (std::size_t at = bits & (places_.size() - 1);; at = (at + 1) & (places_.size() - 1)) {
-      Place& place = places_[at];
-      if (place.index == no_part) place = {tag, number};
-      if (place.index == number || (place.tag == tag && same(place.index))) return place.index;
-    }
-  }
-  // Asks the memory for the place of a key that is soon looked for.
-  void fetch(std::uint64_t key) const { __builtin_prefetch(&places_[spread(key) & (places_.size() - 1)]); }
-
- private:
-  struct Place {
-    std::uint32_t tag = 0;  // half of the spread key
-    std::uint32_t index = no_part;
-  };
-  std::vector<Place> places_;
-};
-
-constexpr std::uint32_t fetched_ahead = 16;  // indices
-
-std::uint64_t key_of(const PolyPoint& p) {
-  std::uint64_t key = 0;
-  for (const std::int32_t c : p) key = key << 20U | static_cast<std::uint32_t>(c + poly_coordinate_limit);
-  return key;
-}
-
 std::uint32_t root_of(std::vector<std::uint32_t>& parents, std::uint32_t i) {
   while (parents[i] != i) {
     parents[i] = parents[parents[i]];
     i = parents[i];
   }
   return i;
-}
-
-// For each vertex the one that it becomes: of equal ones the first.
-std::vector<VertexIndex> equal_points(const std::vector<PolyPoint>& points) {
-  IndexSet numbers(points.size());
-  std::vector<VertexIndex> target(points.size());
-  for (VertexIndex v = 0; v < points.size(); ++v) {
-    if (v + fetched_ahead < points.size()) numbers.fetch(key_of(points[v + fetched_ahead]));
-    target[v] = numbers.find_or_add(key_of(points[v]), v, [&](VertexIndex w) { return points[w] == points[v]; });
-  }
-  return target;
 }
 
 // Joins, of the vertices that are their own target, those at most `distance` apart, and those that these join.
@@ -280,24 +225,6 @@ class Mending {
     return static_cast<double>(most) / std::sqrt(length);
   }
 
-  // Four vertices that turn the same way at each of them, all in one plane: most faces of four. They are simple.
-  [[nodiscard]] bool is_flat_and_convex(const Ring& ring) const {
-    if (ring.size() != 4) return false;
-    const auto at = [&](std::size_t i) -> const PolyPoint& { return points()[ring[i]]; };
-    const geometry::Vector3 along = geometry::difference(at(1), at(0));
-    const geometry::Vector3 across = geometry::difference(at(2), at(0));
-    const geometry::Vector3 back = geometry::difference(at(3), at(0));
-    const geometry::Vector3 normal = geometry::cross(along, across);
-    const std::size_t axis = geometry::dominant_axis(normal);
-    if (normal[axis] == 0 || geometry::dot(normal, back) != 0) return false;
-    const bool positive = normal[axis] > 0;
-    const auto turns = [&](const geometry::Vector3& a, const geometry::Vector3& b) {
-      const std::int64_t turn = geometry::cross(a, b)[axis];
-      return positive ? turn > 0 : turn < 0;
-    };
-    return turns(across, back) && turns(along, back) && turns(geometry::difference(at(2), at(1)), geometry::difference(at(3), at(2)));
-  }
-
   // Faces of four and more vertices that are not planar or not simple become triangles, each where its face was
   // in the list, the others at its end.
   void split_faces() {
@@ -305,7 +232,7 @@ class Mending {
     for (std::size_t p = 0; p < count; ++p) {
       if (pieces_[p].ring.size() <= 3) continue;
       const Ring& ring = pieces_[p].ring;
-      if (is_flat_and_convex(ring)) continue;
+      if (is_plainly_in_order(points(), ring)) continue;
       if (on_a_line(ring)) {
         leave_out(pieces_[p], report_.dropped_faces);
         continue;
@@ -350,7 +277,7 @@ class Mending {
       return key;
     };
     for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
-      if (p + fetched_ahead < pieces_.size()) numbers.fetch(key_of_piece(pieces_[p + fetched_ahead]));
+      if (p + IndexSet::fetched_ahead < pieces_.size()) numbers.fetch(key_of_piece(pieces_[p + IndexSet::fetched_ahead]));
       Piece& piece = pieces_[p];
       if (piece.left_out) continue;
       const std::uint32_t first = numbers.find_or_add(key_of_piece(piece), p, [&](std::uint32_t q) {
