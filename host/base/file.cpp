@@ -1,5 +1,6 @@
 #include "host/base/file.hpp"
 
+#include <algorithm>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -72,6 +73,34 @@ std::string link_partial(int file, const std::string& target) {
     if (errno != EEXIST) break;
   }
   return {};
+}
+
+// Into room for the size that the file says it has, and for more if it has more.
+template <class Container>
+Result<Container> read_whole(const std::string& path, std::size_t limit) {
+  std::error_code failed;
+  if (std::filesystem::is_directory(path, failed)) return system_error(path, "cannot read", EISDIR);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (file == nullptr) return system_error(path, "cannot read", errno);
+  constexpr std::size_t block = 65536;
+  const std::uintmax_t size = std::filesystem::is_regular_file(path, failed) ? std::filesystem::file_size(path, failed) : 0;
+  Container bytes;
+  std::size_t used = 0;
+  while (true) {
+    if (bytes.size() - used < block)
+      bytes.resize(std::max(used + used / 2, used == 0 && !failed && size <= limit ? static_cast<std::size_t>(size) : 0) + block);
+    errno = 0;
+    const std::size_t room = bytes.size() - used;
+    const std::size_t n = std::fread(bytes.data() + used, 1, room, file.get());
+    used += n;
+    if (used > limit) {
+      return Error{.file = path, .found = "more than " + std::to_string(limit) + " bytes", .expected = "a smaller file", .kind = ErrorKind::io};
+    }
+    if (n == room) continue;
+    if (std::ferror(file.get()) != 0) return system_error(path, "cannot read", errno != 0 ? errno : EIO);
+    bytes.resize(used);
+    return bytes;
+  }
 }
 
 }  // namespace
@@ -184,24 +213,8 @@ FileStatus file_status(const std::string& path) {
   return {FileStatus::Kind::file, size};
 }
 
-Result<Bytes> read_file(const std::string& path, std::size_t limit) {
-  std::error_code failed;
-  if (std::filesystem::is_directory(path, failed)) return system_error(path, "cannot read", EISDIR);
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (file == nullptr) return system_error(path, "cannot read", errno);
-  Bytes bytes;
-  std::array<std::uint8_t, 65536> block{};
-  while (true) {
-    errno = 0;
-    const std::size_t n = std::fread(block.data(), 1, block.size(), file.get());
-    bytes.insert(bytes.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(n));
-    if (bytes.size() > limit) {
-      return Error{.file = path, .found = "more than " + std::to_string(limit) + " bytes", .expected = "a smaller file", .kind = ErrorKind::io};
-    }
-    if (n == block.size()) continue;
-    if (std::ferror(file.get()) != 0) return system_error(path, "cannot read", errno != 0 ? errno : EIO);
-    return bytes;
-  }
-}
+Result<Bytes> read_file(const std::string& path, std::size_t limit) { return read_whole<Bytes>(path, limit); }
+
+Result<std::string> read_text(const std::string& path, std::size_t limit) { return read_whole<std::string>(path, limit); }
 
 }  // namespace sightline::base

@@ -63,5 +63,6 @@ struct FileStatus {
 
 // The whole file; an error for a directory, and for more than `limit` bytes.
 [[nodiscard]] Result<Bytes> read_file(const std::string& path, std::size_t limit = std::size_t{1} << 30);
+[[nodiscard]] Result<std::string> read_text(const std::string& path, std::size_t limit = std::size_t{1} << 30);
 
 }  // namespace sightline::base

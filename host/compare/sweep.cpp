@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,7 +42,7 @@ class Fingerprint {
 
 std::string fingerprint_of(const scene::PolyScene& scene) {
   Fingerprint print;
-  const auto add_ring = [&print](const std::vector<scene::VertexIndex>& ring) {
+  const auto add_ring = [&print](std::span<const scene::VertexIndex> ring) {
     print.add(ring.size());
     for (const scene::VertexIndex v : ring) print.add(v);
   };

@@ -64,14 +64,14 @@ base::Result<scene::SceneFile> find(const std::string& name) {
                        .remedy = base::did_you_mean(name, names),
                        .kind = base::ErrorKind::io};
   }
-  auto bytes = base::read_file(name);
-  if (!bytes) {
-    bytes.error().kind = base::ErrorKind::io;
-    return std::move(bytes.error());
+  auto text = base::read_text(name);
+  if (!text) {
+    text.error().kind = base::ErrorKind::io;
+    return std::move(text.error());
   }
   std::string folder = std::filesystem::path(name).parent_path().string();
   if (folder.empty()) folder = ".";
-  return scene::SceneFile{.name = name, .text = {bytes->begin(), bytes->end()}, .folder = std::move(folder)};
+  return scene::SceneFile{.name = name, .text = std::move(*text), .folder = std::move(folder)};
 }
 
 base::Result<Scene> load(scene::SceneFile file, const LoadOptions& options) { return scene::load_scene(std::move(file), options); }

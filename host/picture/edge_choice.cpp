@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "host/geometry/vector.hpp"
 
@@ -21,7 +22,7 @@ double square(const geometry::Vector3& v) {
 
 geometry::Vector3 area_of(const std::vector<scene::PolyPoint>& vertices, const scene::PolyFace& face) {
   geometry::Vector3 sum{};
-  const auto add = [&](const std::vector<scene::VertexIndex>& ring) {
+  const auto add = [&](std::span<const scene::VertexIndex> ring) {
     for (std::size_t i = 2; i < ring.size(); ++i) {
       const auto part = geometry::normal_of(vertices[ring[0]], vertices[ring[i - 1]], vertices[ring[i]]);
       for (std::size_t a = 0; a < 3; ++a) sum[a] += part[a];
@@ -60,7 +61,7 @@ std::array<std::size_t, edge_kind_count> ChosenEdges::counts() const {
 }
 
 EdgeChooser::EdgeChooser(const scene::PolyScene& scene, const EdgeChoice& choice)
-    : scene_(scene), choice_(choice), edges_(scene) {
+    : scene_(scene), choice_(choice), edges_(scene), least_cosine_(std::cos(choice.crease * std::numbers::pi / 180)) {
   find_surfaces();
   kinds_.reserve(edges_.size());
   for (std::size_t e = 0; e < edges_.size(); ++e) kinds_.push_back(kind_without_eye(e));
@@ -93,23 +94,26 @@ void EdgeChooser::find_surfaces() {
       surface.on = face.outline[0];
     }
   }
+  directions_.resize(surfaces_.size());
   for (std::size_t s = 0; s < surfaces_.size(); ++s) {
-    Surface& surface = surfaces_[s];
-    const double length = std::sqrt(square(surface.normal));
-    for (std::size_t a = 0; a < 3; ++a) {
-      if (length > 0) surface.direction[a] = static_cast<double>(surface.normal[a]) / length;
-      if (mesh) surface.direction[a] = scene_.surfaces[s].normal[a];
+    const Surface& surface = surfaces_[s];
+    if (mesh) {
+      directions_[s] = scene_.surfaces[s].normal;
+      continue;
     }
+    const double length = std::sqrt(square(surface.normal));
+    for (std::size_t a = 0; a < 3; ++a)
+      if (length > 0) directions_[s][a] = static_cast<double>(surface.normal[a]) / length;
   }
 }
 
 // Whether the angle between two surfaces exceeds that of a crease. `agree`: they pass their edge in opposite directions.
 bool EdgeChooser::bends(std::uint32_t a, std::uint32_t b, bool agree) const {
-  const auto& m = surfaces_[a].direction;
-  const auto& n = surfaces_[b].direction;
+  const auto& m = directions_[a];
+  const auto& n = directions_[b];
   double cosine = geometry::dot(m, n);
   if (!agree) cosine = -cosine;
-  if (choice_.crease > 0) return cosine < std::cos(choice_.crease * std::numbers::pi / 180);
+  if (choice_.crease > 0) return cosine < least_cosine_;
   if (!scene_.surfaces.empty()) return true;  // they are different surfaces
   const geometry::Vector3& v = surfaces_[a].normal;
   const geometry::Vector3& w = surfaces_[b].normal;
@@ -136,12 +140,17 @@ EdgeKind EdgeChooser::kind_without_eye(std::size_t edge) const {
 
 ChosenEdges EdgeChooser::at(const scene::PolyCamera& camera) const {
   const geometry::Vector3 forward = geometry::vector_of(camera.forward);
-  std::vector<int> facing(surfaces_.size());  // positive: to the eye
+  struct Facing {
+    std::int8_t sign = 0;  // positive: to the eye
+    bool away = false;     // of a solid, and not to the eye
+  };
+  std::vector<Facing> facing(surfaces_.size());
   for (std::size_t s = 0; s < surfaces_.size(); ++s) {
     const Surface& surface = surfaces_[s];
     const geometry::Vector3 sight =
         camera.perspective ? geometry::difference(scene_.vertices[surface.on], camera.eye) : forward;
-    facing[s] = -geometry::sign(geometry::wide_dot(surface.normal, sight));
+    facing[s].sign = static_cast<std::int8_t>(-geometry::sign(geometry::wide_dot(surface.normal, sight)));
+    facing[s].away = surface.solid && facing[s].sign <= 0;
   }
   const bool mesh = !scene_.surfaces.empty();
   ChosenEdges chosen;
@@ -151,16 +160,13 @@ ChosenEdges EdgeChooser::at(const scene::PolyCamera& camera) const {
     const auto uses = edges_.uses(e);
     EdgeKind kind = kinds_[e];
     bool away = !uses.empty();
-    for (const scene::EdgeTable::Use& use : uses) {
-      const std::uint32_t surface = surface_of_[use.face];
-      away = away && surfaces_[surface].solid && facing[surface] <= 0;
-    }
+    for (const scene::EdgeTable::Use& use : uses) away = away && facing[surface_of_[use.face]].away;
     if (uses.size() == 2) {
       const std::uint32_t a = surface_of_[uses[0].face];
       const std::uint32_t b = surface_of_[uses[1].face];
       // If both pass the edge in the same direction, one of them must be reversed.
-      const int facing_b = uses[0].upwards != uses[1].upwards ? facing[b] : -facing[b];
-      if (a != b && (facing[a] > 0) != (facing_b > 0)) kind = EdgeKind::silhouette;
+      const int facing_b = uses[0].upwards != uses[1].upwards ? facing[b].sign : -facing[b].sign;
+      if (a != b && (facing[a].sign > 0) != (facing_b > 0)) kind = EdgeKind::silhouette;
     }
     if (!choice_.kinds[number_of(kind)]) {
       // If silhouettes are not chosen, the edge may still be a chosen crease.
@@ -180,8 +186,7 @@ ChosenEdges EdgeChooser::at(const scene::PolyCamera& camera) const {
   for (const scene::PolyCrossing& crossing : scene_.crossings) {
     bool away = false;
     for (const std::uint32_t face : {crossing.face_a, crossing.face_b}) {
-      const std::uint32_t surface = surface_of_[face];
-      away = away || (surfaces_[surface].solid && facing[surface] <= 0);
+      away = away || facing[surface_of_[face]].away;
       if (!scene_.surface_of.empty()) chosen.surfaces.push_back(scene_.surface_of[face]);
     }
     chosen.edges.push_back({crossing.from, crossing.to});

@@ -81,7 +81,6 @@ class EdgeChooser {
     scene::VertexIndex on = 0;
     bool solid = false;
     double largest = -1;  // squared area of the face that `on` belongs to
-    std::array<double, 3> direction{};
   };
 
   void find_surfaces();
@@ -93,6 +92,8 @@ class EdgeChooser {
   scene::EdgeTable edges_;
   std::vector<std::uint32_t> surface_of_;  // by face
   std::vector<Surface> surfaces_;
+  std::vector<std::array<double, 3>> directions_;  // of the surfaces' normals, of length 1
+  double least_cosine_ = 1;                        // between surfaces that do not bend more than the angle
   std::vector<EdgeKind> kinds_;  // without an eye
   std::vector<std::array<std::uint32_t, 2>> wires_on_;  // PolyScene::wires_on by edge number; ascending
 };

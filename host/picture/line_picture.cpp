@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include "host/geometry/integer.hpp"
@@ -13,7 +14,7 @@ namespace sightline::picture {
 
 namespace {
 
-void append_ring(const std::vector<scene::VertexIndex>& ring, std::vector<LineEdge>& edges) {
+void append_ring(std::span<const scene::VertexIndex> ring, std::vector<LineEdge>& edges) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const scene::VertexIndex a = ring[i];
     const scene::VertexIndex b = ring[i + 1 == ring.size() ? 0 : i + 1];
@@ -125,7 +126,7 @@ class Spokes {
     for (const auto& hole : face.holes) add_ring(hole, face.outline, normal);
   }
 
-  [[nodiscard]] bool has_drawn(const std::vector<VertexIndex>& ring) const {
+  [[nodiscard]] bool has_drawn(std::span<const VertexIndex> ring) const {
     for (std::size_t i = 0; i < ring.size(); ++i)
       if (is_drawn(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1])) return true;
     return false;
@@ -133,7 +134,7 @@ class Spokes {
 
   // Every ring has the face to its left, as seen from the end of the normal. Any corner that is not on the line of a side
   // gives a direction into the face or exactly out of it.
-  void add_ring(const std::vector<VertexIndex>& ring, const std::vector<VertexIndex>& corners,
+  void add_ring(std::span<const VertexIndex> ring, std::span<const VertexIndex> corners,
                 const Vector& normal) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const VertexIndex p = ring[i];

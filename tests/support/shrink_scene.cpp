@@ -63,7 +63,7 @@ Size size_of(const PolyScene& scene) {
 void tidy_vertices(PolyScene& scene) {
   std::map<PolyPoint, VertexIndex> numbers;
   std::vector<PolyPoint> kept;
-  const auto rename = [&](std::vector<VertexIndex>& ring) {
+  const auto rename = [&](scene::Ring& ring) {
     for (VertexIndex& v : ring) {
       const auto [at, is_new] = numbers.try_emplace(scene.vertices[v], static_cast<VertexIndex>(kept.size()));
       if (is_new) kept.push_back(scene.vertices[v]);
@@ -77,15 +77,15 @@ void tidy_vertices(PolyScene& scene) {
     }
   }
   for (scene::PolyWire& wire : scene.wires) {
-    std::vector<VertexIndex> ends(wire.begin(), wire.end());
+    scene::Ring ends(wire.begin(), wire.end());
     rename(ends);
     wire = {ends[0], ends[1]};
   }
   scene.vertices = std::move(kept);
 }
 
-template <class Element>
-void erase(std::vector<Element>& list, std::size_t first, std::size_t count) {
+template <class List>
+void erase(List& list, std::size_t first, std::size_t count) {
   const auto at = list.begin() + static_cast<std::ptrdiff_t>(first);
   list.erase(at, at + static_cast<std::ptrdiff_t>(count));
 }
@@ -163,10 +163,10 @@ class Shrinker {
   void leave_out_corners(std::size_t b, std::size_t f) {
     const auto face_of = [b, f](PolyScene& scene) -> PolyFace& { return scene.bodies[b].faces[f]; };
     leave_out_of(
-        [&](PolyScene& scene) -> std::vector<std::vector<VertexIndex>>& { return face_of(scene).holes; });
-    leave_out_of([&](PolyScene& scene) -> std::vector<VertexIndex>& { return face_of(scene).outline; });
+        [&](PolyScene& scene) -> std::vector<scene::Ring>& { return face_of(scene).holes; });
+    leave_out_of([&](PolyScene& scene) -> scene::Ring& { return face_of(scene).outline; });
     for (std::size_t h = 0; h < face_of(best_).holes.size(); ++h)
-      leave_out_of([&](PolyScene& scene) -> std::vector<VertexIndex>& { return face_of(scene).holes[h]; });
+      leave_out_of([&](PolyScene& scene) -> scene::Ring& { return face_of(scene).holes[h]; });
   }
 
   void simplify_camera() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 
 namespace sightline::algorithms::exact {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 using scene::VertexIndex;
 
 // Appends the corners of one ring. Their sides are set later, when all edges are numbered.
-void append_ring(const std::vector<VertexIndex>& ring, EdgeMesh& mesh) {
+void append_ring(std::span<const VertexIndex> ring, EdgeMesh& mesh) {
   const std::size_t first = mesh.corners.size();
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (ring[i] != ring[i + 1 == ring.size() ? 0 : i + 1]) mesh.corners.push_back({ring[i] & 0x7fffffffU, 0, 0});
@@ -60,6 +61,26 @@ void for_all_sides(const EdgeMesh& mesh, Visit visit) {
   }
 }
 
+// A side of a face, from the vertex by which the sides are grouped.
+struct Side {
+  VertexIndex to = 0;
+  std::uint32_t corner = 0;
+};
+
+void sort_by_end(Side* begin, Side* end) {
+  constexpr std::ptrdiff_t few = 24;
+  if (end - begin > few) {
+    std::sort(begin, end, [](const Side& a, const Side& b) { return a.to < b.to; });
+    return;
+  }
+  for (Side* i = begin; i < end; ++i) {
+    const Side side = *i;
+    Side* to = i;
+    for (; to != begin && to[-1].to > side.to; --to) *to = to[-1];
+    *to = side;
+  }
+}
+
 // Collects sides and wires, sorted by the lower vertex (counting sort), then by the higher. Reserves space for the
 // crossings.
 void number_edges(EdgeMesh& mesh, const scene::PolyScene& scene) {
@@ -73,10 +94,6 @@ void number_edges(EdgeMesh& mesh, const scene::PolyScene& scene) {
   for_all_sides(mesh, count);
   for_wires(count);
   for (std::size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
-  struct Side {
-    VertexIndex to = 0;
-    std::uint32_t corner = 0;
-  };
   std::vector<Side> sides(start.back());
   std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
   const auto add = [&](std::uint32_t corner, const picture::LineEdge& edge) { sides[fill[edge.from]++] = {edge.to, corner}; };
@@ -84,8 +101,7 @@ void number_edges(EdgeMesh& mesh, const scene::PolyScene& scene) {
   for_wires(add);
   mesh.edges.reserve(sides.size() / 2 + scene.wires.size() + scene.crossings.size());
   for (VertexIndex v = 0; v + 1 < start.size(); ++v) {
-    std::sort(sides.data() + start[v], sides.data() + start[v + 1],
-              [](const Side& a, const Side& b) { return a.to < b.to; });
+    sort_by_end(sides.data() + start[v], sides.data() + start[v + 1]);
     for (std::uint32_t i = start[v]; i < start[v + 1]; ++i) {
       if (i == start[v] || sides[i].to != sides[i - 1].to) mesh.edges.push_back({v, sides[i].to});
       const auto edge = static_cast<std::uint32_t>(mesh.edges.size() - 1);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "host/geometry/box_tree.hpp"
@@ -36,7 +37,7 @@ int eye_side_of(const geometry::Plane& plane, const scene::PolyCamera& camera) {
              : -geometry::sign(geometry::dot(plane.normal, geometry::vector_of(camera.forward)));
 }
 
-Box box_of(const scene::PolyScene& scene, const std::vector<scene::VertexIndex>& corners) {
+Box box_of(const scene::PolyScene& scene, std::span<const scene::VertexIndex> corners) {
   Box box{scene.vertices[corners[0]], scene.vertices[corners[0]]};
   for (const scene::VertexIndex v : corners) {
     for (std::size_t a = 0; a < 3; ++a) {
@@ -61,7 +62,7 @@ Box box_around(const std::vector<Box>& boxes) {
 // The rings of the face projected along an axis. Coordinates are doubled, so that midpoints of edges are integers.
 PointRings flattened(const scene::PolyScene& scene, const scene::PolyFace& face, std::size_t dropped) {
   PointRings rings;
-  const auto add = [&](const std::vector<scene::VertexIndex>& ring) {
+  const auto add = [&](std::span<const scene::VertexIndex> ring) {
     auto& points = rings.emplace_back();
     for (const scene::VertexIndex v : ring) points.push_back(doubled(scene.vertices[v], dropped));
   };
@@ -156,7 +157,7 @@ class IsolatedEdges {
 
   template <class Visit>
   static void for_each_edge(const scene::PolyFace& face, const Visit& visit) {
-    const auto walk = [&visit](const std::vector<VertexIndex>& ring) {
+    const auto walk = [&visit](std::span<const VertexIndex> ring) {
       for (std::size_t i = 0; i < ring.size(); ++i) visit(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]);
     };
     walk(face.outline);

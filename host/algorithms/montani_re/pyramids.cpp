@@ -97,8 +97,8 @@ FaceSet make_set(const scene::PolyScene& scene, const scene::PolyCamera& camera,
   for (const SeenFace& one : seen.faces) {
     const scene::PolyFace& face = scene.bodies[one.body].faces[one.index];
     rings.resize(1 + face.holes.size());
-    rings[0] = face.outline;
-    std::copy(face.holes.begin(), face.holes.end(), rings.begin() + 1);
+    rings[0].assign(face.outline.begin(), face.outline.end());
+    for (std::size_t h = 0; h < face.holes.size(); ++h) rings[h + 1].assign(face.holes[h].begin(), face.holes[h].end());
     builder.add_face(rings, static_cast<std::uint32_t>(one.body), static_cast<std::uint32_t>(one.index));
   }
   for (const picture::LineEdge& edge : isolated) builder.add_isolated_edge(edge.from, edge.to);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "host/geometry/integer.hpp"
@@ -136,7 +137,7 @@ struct Face {
   bool sheet = false;
 };
 
-void add_ring(const std::vector<scene::VertexIndex>& ring, const Sight& sight, Face& face) {
+void add_ring(std::span<const scene::VertexIndex> ring, const Sight& sight, Face& face) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const scene::VertexIndex a = ring[i];
     const scene::VertexIndex b = ring[(i + 1) % ring.size()];

@@ -1,6 +1,7 @@
 #include "host/algorithms/oracle/sight_oracle.hpp"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "host/geometry/integer.hpp"
@@ -49,7 +50,7 @@ class Meetings {
  private:
   // Whether the line passes through the inside of the ring: as seen along the line, an odd number of sides crosses the
   // half-plane on one side of it.
-  [[nodiscard]] bool passes(const std::vector<scene::VertexIndex>& ring) const {
+  [[nodiscard]] bool passes(std::span<const scene::VertexIndex> ring) const {
     bool inside = false;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vector3 p = geometry::difference(scene_.vertices[ring[i]], eye_);

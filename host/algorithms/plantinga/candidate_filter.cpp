@@ -44,7 +44,7 @@ scene::PolyFace rings_of(const RotationModel& model, FaceIndex index) {
   scene::PolyFace face;
   const auto corners = model.corners(index);
   for (std::size_t i = 0; i < corners.size();) {
-    std::vector<scene::VertexIndex> ring;
+    scene::Ring ring;
     const std::size_t first = i;
     do {
       ring.push_back(corners[i].vertex);

@@ -1,6 +1,7 @@
 #include "host/algorithms/plantinga/rotation_model.hpp"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 namespace sightline::algorithms::plantinga {
@@ -25,7 +26,7 @@ RotationModel::RotationModel(const scene::PolyScene& scene) {
   take_fingerprint();
 }
 
-void RotationModel::append_ring(const std::vector<VertexIndex>& ring, std::uint32_t first_corner) {
+void RotationModel::append_ring(std::span<const VertexIndex> ring, std::uint32_t first_corner) {
   const std::size_t first = corners_.size();
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (ring[i] != ring[i + 1 == ring.size() ? 0 : i + 1]) corners_.push_back({ring[i], 0, 0, true});

@@ -82,7 +82,7 @@ class RotationModel {
   [[nodiscard]] std::uint64_t fingerprint() const { return fingerprint_; }
 
  private:
-  void append_ring(const std::vector<scene::VertexIndex>& ring, std::uint32_t first_corner);
+  void append_ring(std::span<const scene::VertexIndex> ring, std::uint32_t first_corner);
   void append_face(const scene::PolyFace& given, bool sheet);
   void number_edges();
   void gather();

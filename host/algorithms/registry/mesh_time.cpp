@@ -10,7 +10,7 @@
 namespace sightline::registry {
 
 double faces_cut_by_planes(const scene::PolyScene& scene) {
-  std::vector<const std::vector<scene::VertexIndex>*> outlines;
+  std::vector<const scene::Ring*> outlines;
   for (const scene::PolyBody& body : scene.bodies)
     for (const scene::PolyFace& face : body.faces) outlines.push_back(&face.outline);
   if (outlines.empty()) return 0;

@@ -13,7 +13,7 @@ namespace sightline::algorithms::willis {
 
 namespace {
 
-using Ring = std::vector<scene::VertexIndex>;
+using scene::Ring;
 
 class FacePieces {
  public:

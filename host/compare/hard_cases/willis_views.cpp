@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <random>
+#include <span>
 #include <utility>
 
 #include "host/algorithms/oracle/face_raster.hpp"
@@ -65,7 +66,7 @@ std::optional<PixelSegment> image_of(const std::array<double, 3>& p, const std::
 
 std::vector<PixelSegment> edges_of(const PolyScene& scene, const PolyCamera& camera, int size) {
   std::vector<PixelSegment> edges;
-  const auto add = [&](const std::vector<scene::VertexIndex>& ring) {
+  const auto add = [&](std::span<const scene::VertexIndex> ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const auto edge = image_of(before_camera(camera, scene.vertices[ring[i]]),
                                  before_camera(camera, scene.vertices[ring[(i + 1) % ring.size()]]), size);

@@ -13,6 +13,10 @@ Result<Bytes> read_file(const std::string& path, std::size_t) {
   return Error{path, "", "no files here", "a file dropped on the page"};
 }
 
+Result<std::string> read_text(const std::string& path, std::size_t) {
+  return Error{path, "", "no files here", "a file dropped on the page"};
+}
+
 }  // namespace sightline::base
 
 namespace sightline::picture {

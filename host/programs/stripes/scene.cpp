@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "host/algorithms/montani_re/pyramids.hpp"
@@ -128,7 +129,7 @@ class Projection {
     const scene::PolyFace& source = scene_.bodies[face.body].faces[face.index];
     const Slope plane = slope(face);
     PlaceRings rings;
-    const auto add = [&](const std::vector<scene::VertexIndex>& ring) {
+    const auto add = [&](std::span<const scene::VertexIndex> ring) {
       auto& places = rings.emplace_back();
       for (const scene::VertexIndex v : ring) {
         const auto p = dots(set.image.vertices()[v]);

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <utility>
 
 namespace sightline::scene {
@@ -15,7 +16,7 @@ constexpr std::uint32_t no_plane = std::numeric_limits<std::uint32_t>::max();
 
 template <class Visit>
 void for_each_side(const PolyScene& scene, Visit visit) {
-  const auto ring_sides = [&](const std::vector<VertexIndex>& ring) {
+  const auto ring_sides = [&](std::span<const VertexIndex> ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const VertexIndex a = ring[i];
       const VertexIndex b = ring[i + 1 == ring.size() ? 0 : i + 1];

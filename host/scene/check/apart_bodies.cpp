@@ -17,11 +17,18 @@ namespace {
 constexpr std::size_t most_corners = 64;
 
 bool is_convex(const PolyScene& scene, const PolyBody& body) {
-  std::size_t corners = 0;
+  std::array<VertexIndex, most_corners> vertices;
+  std::size_t count = 0;
   for (const PolyFace& face : body.faces) {
-    corners += face.outline.size();
-    if (corners > most_corners) return false;
+    if (count + face.outline.size() > most_corners) return false;
+    for (const VertexIndex v : face.outline) vertices[count++] = v;
   }
+  // Most are corners of three faces.
+  std::sort(vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(count));
+  std::array<geometry::Vector3, most_corners> corners;
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    if (i == 0 || vertices[i] != vertices[i - 1]) corners[different++] = geometry::vector_of(scene.vertices[vertices[i]]);
   for (const PolyFace& face : body.faces) {
     const auto& ring = face.outline;
     const auto at = [&](std::size_t i) -> const PolyPoint& { return scene.vertices[ring[i % ring.size()]]; };
@@ -32,12 +39,10 @@ bool is_convex(const PolyScene& scene, const PolyBody& body) {
     const std::int64_t offset = geometry::dot(normal, geometry::vector_of(at(0)));
     bool before = false;
     bool beyond = false;
-    for (const PolyFace& other : body.faces) {
-      for (const VertexIndex v : other.outline) {
-        const std::int64_t side = geometry::dot(normal, geometry::vector_of(scene.vertices[v])) - offset;
-        before = before || side < 0;
-        beyond = beyond || side > 0;
-      }
+    for (std::size_t i = 0; i < different; ++i) {
+      const std::int64_t side = geometry::dot(normal, corners[i]) - offset;
+      before = before || side < 0;
+      beyond = beyond || side > 0;
     }
     if (before && beyond) return false;
   }
@@ -71,39 +76,52 @@ std::vector<PolyBounds> boxes_of(const PolyScene& scene) {
   return boxes;
 }
 
-// Boxes in cells by their low corners. No box is longer than a cell, so what meets it begins in a cell next to its own.
+// Boxes in cells by their low corners. No box in a cell is longer than one, so what meets it begins in a cell next to its own. Of
+// boxes far longer than most there are no cells: each is compared with all others.
 class BoxCells {
  public:
   explicit BoxCells(const std::vector<PolyBounds>& boxes) : boxes_(boxes) {
     PolyBounds around = boxes[0];
-    std::array<std::int64_t, 3> longest{};
+    std::array<double, 3> sum{};
     for (const PolyBounds& box : boxes) {
       for (std::size_t k = 0; k < 3; ++k) {
         around.low[k] = std::min(around.low[k], box.low[k]);
         around.high[k] = std::max(around.high[k], box.high[k]);
-        longest[k] = std::max(longest[k], std::int64_t{box.high[k]} - box.low[k]);
+        sum[k] += box.high[k] - box.low[k];
       }
     }
     low_ = around.low;
+    constexpr double times_the_mean = 4;
     const auto most_a_side = static_cast<std::int64_t>(std::cbrt(2 * static_cast<double>(boxes.size()))) + 1;
     std::size_t cells = 1;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int64_t extent = std::int64_t{around.high[k]} - around.low[k];
-      size_[k] = std::max(longest[k], extent / most_a_side) + 1;
+      const auto usual = static_cast<std::int64_t>(times_the_mean * sum[k] / static_cast<double>(boxes.size()));
+      size_[k] = std::max(usual, extent / most_a_side) + 1;
       count_[k] = extent / size_[k] + 1;
       cells *= static_cast<std::size_t>(count_[k]);
     }
+    for (std::uint32_t b = 0; b < boxes.size(); ++b)
+      if (!fits_cell(boxes[b])) large_.push_back(b);
     starts_.resize(cells + 1);
-    for (const PolyBounds& box : boxes) ++starts_[cell_of(place_of(box)) + 1];
+    for (const PolyBounds& box : boxes)
+      if (fits_cell(box)) ++starts_[cell_of(place_of(box)) + 1];
     for (std::size_t c = 1; c <= cells; ++c) starts_[c] += starts_[c - 1];
-    members_.resize(boxes.size());
+    members_.resize(starts_.back());
     std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-    for (std::uint32_t b = 0; b < boxes.size(); ++b) members_[next[cell_of(place_of(boxes[b]))]++] = b;
+    for (std::uint32_t b = 0; b < boxes.size(); ++b)
+      if (fits_cell(boxes[b])) members_[next[cell_of(place_of(boxes[b]))]++] = b;
   }
 
   // True: no two meet. False: two do, or more pairs than `most` would have to be compared.
   [[nodiscard]] bool are_apart(std::uint64_t most) const {
+    if (large_.size() * boxes_.size() > most) return false;
+    most -= large_.size() * boxes_.size();
+    for (const std::uint32_t b : large_)
+      for (std::uint32_t other = 0; other < boxes_.size(); ++other)
+        if (other != b && meet(boxes_[b], boxes_[other])) return false;
     for (std::uint32_t b = 0; b < boxes_.size(); ++b) {
+      if (!fits_cell(boxes_[b])) continue;
       const Place at = place_of(boxes_[b]);
       for (std::int64_t x = std::max<std::int64_t>(at[0] - 1, 0); x <= at[0]; ++x) {
         for (std::int64_t y = std::max<std::int64_t>(at[1] - 1, 0); y <= std::min(at[1] + 1, count_[1] - 1); ++y) {
@@ -123,6 +141,11 @@ class BoxCells {
  private:
   using Place = std::array<std::int64_t, 3>;
 
+  [[nodiscard]] bool fits_cell(const PolyBounds& box) const {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (std::int64_t{box.high[k]} - box.low[k] >= size_[k]) return false;
+    return true;
+  }
   [[nodiscard]] Place place_of(const PolyBounds& box) const {
     Place place{};
     for (std::size_t k = 0; k < 3; ++k) place[k] = (std::int64_t{box.low[k]} - low_[k]) / size_[k];
@@ -136,6 +159,7 @@ class BoxCells {
   PolyPoint low_{};
   Place size_{};
   Place count_{};
+  std::vector<std::uint32_t> large_;
   std::vector<std::uint32_t> starts_;
   std::vector<std::uint32_t> members_;
 };

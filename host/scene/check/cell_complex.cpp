@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -209,7 +210,7 @@ bool has_inside(const CellComplex& complex, const ComplexCell& cell) {
 // Six times the volume of a closed body.
 geometry::Int128 volume6(const PolyScene& scene, const PolyBody& body) {
   geometry::Int128 volume = 0;
-  const auto add = [&](const std::vector<VertexIndex>& ring, const PolyPoint& apex) {
+  const auto add = [&](std::span<const VertexIndex> ring, const PolyPoint& apex) {
     for (std::size_t i = 2; i < ring.size(); ++i) {
       volume -= geometry::orientation(scene.vertices[ring[0]], scene.vertices[ring[i - 1]],
                                       scene.vertices[ring[i]], apex);

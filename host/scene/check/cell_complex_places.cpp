@@ -61,7 +61,7 @@ Where where(const PolyScene& scene, const PolyFace& face, std::size_t axis, cons
   const std::size_t v = (axis + 2) % 3;
   bool inside = false;
   bool border = false;
-  const auto cross_ring = [&](const std::vector<VertexIndex>& ring) {
+  const auto cross_ring = [&](std::span<const VertexIndex> ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const PolyPoint& a = scene.vertices[ring[i]];
       const PolyPoint& b = scene.vertices[ring[i + 1 == ring.size() ? 0 : i + 1]];

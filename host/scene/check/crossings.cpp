@@ -17,18 +17,65 @@ namespace {
 struct CrossingFace {
   const PolyFace* face = nullptr;
   geometry::Plane plane;
-  PolyPoint low{};
-  PolyPoint high{};
 
-  bool triangle = false;
-  std::array<VertexIndex, 3> corners{};  // of a triangle
+  [[nodiscard]] const Ring& ring() const { return face->outline; }
+  [[nodiscard]] bool is_triangle() const { return ring().size() == 3 && face->holes.empty(); }
 };
+
+// Around a face: each end is three numbers of 19 bits with a guard above each, so that one subtraction compares all three.
+struct FaceBox {
+  std::uint64_t low = 0;
+  std::uint64_t high = 0;
+
+  static constexpr unsigned step = 20;
+  static constexpr std::uint64_t guards = std::uint64_t{1} << 19 | std::uint64_t{1} << 39 | std::uint64_t{1} << 59;
+
+  FaceBox(const std::vector<PolyPoint>& vertices, const Ring& ring) {
+    PolyPoint least = vertices[ring[0]];
+    PolyPoint most = least;
+    for (const VertexIndex v : ring) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        least[k] = std::min(least[k], vertices[v][k]);
+        most[k] = std::max(most[k], vertices[v][k]);
+      }
+    }
+    low = packed(least);
+    high = packed(most);
+  }
+
+  [[nodiscard]] bool meets(const FaceBox& other) const {
+    return (((high | guards) - other.low) & ((other.high | guards) - low) & guards) == guards;
+  }
+  [[nodiscard]] static std::int32_t coordinate(std::uint64_t end, std::size_t axis) {
+    return static_cast<std::int32_t>(end >> (step * axis) & ((1U << 19) - 1)) - poly_coordinate_limit;
+  }
+
+ private:
+  [[nodiscard]] static std::uint64_t packed(const PolyPoint& p) {
+    std::uint64_t number = 0;
+    for (std::size_t k = 3; k-- > 0;) number = number << step | static_cast<std::uint64_t>(p[k] + poly_coordinate_limit);
+    return number;
+  }
+};
+
+using Triangle = std::array<VertexIndex, 3>;
+constexpr Triangle no_triangle{~VertexIndex{0}, ~VertexIndex{0}, ~VertexIndex{0}};  // a face with other corners
 
 class CrossingSearch {
  public:
   explicit CrossingSearch(const PolyScene& scene) : scene_(scene) {
-    for (const PolyBody& body : scene.bodies)
-      for (const PolyFace& face : body.faces) faces_.push_back(measured(face));
+    const std::size_t count = face_count(scene);
+    faces_.reserve(count);
+    boxes_.reserve(count);
+    corners_.reserve(count);
+    for (const PolyBody& body : scene.bodies) {
+      for (const PolyFace& face : body.faces) {
+        faces_.push_back({&face, plane_of(scene.vertices, face)});
+        boxes_.emplace_back(scene.vertices, face.outline);
+        corners_.push_back(no_triangle);
+        if (faces_.back().is_triangle()) std::copy(face.outline.begin(), face.outline.end(), corners_.back().begin());
+      }
+    }
   }
 
   std::vector<Crossing> run(std::size_t most) {
@@ -42,20 +89,6 @@ class CrossingSearch {
   }
 
  private:
-  [[nodiscard]] CrossingFace measured(const PolyFace& face) const {
-    const PolyPoint& first = scene_.vertices[face.outline[0]];
-    CrossingFace result{&face, plane_of(scene_.vertices, face), first, first, false, {}};
-    result.triangle = face.outline.size() == 3 && face.holes.empty();
-    if (result.triangle) std::copy(face.outline.begin(), face.outline.end(), result.corners.begin());
-    for (const VertexIndex v : face.outline) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        result.low[k] = std::min(result.low[k], scene_.vertices[v][k]);
-        result.high[k] = std::max(result.high[k], scene_.vertices[v][k]);
-      }
-    }
-    return result;
-  }
-
   // --- faces whose boxes meet: looked up in cells of about the size of a usual face
 
   struct CellGrid {
@@ -72,9 +105,11 @@ class CrossingSearch {
     std::array<double, 3> sum{};
     for (std::size_t f = 0; f < faces_.size(); ++f) {
       for (std::size_t k = 0; k < 3; ++k) {
-        grid.low[k] = f == 0 ? faces_[f].low[k] : std::min(grid.low[k], faces_[f].low[k]);
-        high[k] = f == 0 ? faces_[f].high[k] : std::max(high[k], faces_[f].high[k]);
-        sum[k] += faces_[f].high[k] - faces_[f].low[k] + 1;
+        const std::int32_t least = FaceBox::coordinate(boxes_[f].low, k);
+        const std::int32_t most = FaceBox::coordinate(boxes_[f].high, k);
+        grid.low[k] = f == 0 ? least : std::min(grid.low[k], least);
+        high[k] = f == 0 ? most : std::max(high[k], most);
+        sum[k] += most - least + 1;
       }
     }
     constexpr std::int64_t most_a_side = 512;
@@ -99,15 +134,12 @@ class CrossingSearch {
     const auto face_of = [](std::uint64_t entry) { return static_cast<std::uint32_t>(entry); };
     std::vector<std::uint32_t> large;
     constexpr std::int64_t most_cells = 512;  // of one face
-    std::vector<Box> boxes;
-    boxes.reserve(faces_.size());
-    for (std::uint32_t f = 0; f < faces_.size(); ++f) boxes.push_back(box_of(f, cells.low));
     for (std::uint32_t f = 0; f < faces_.size(); ++f) {
       std::array<std::int64_t, 6> span{};
       std::int64_t covered = 1;
       for (std::size_t k = 0; k < 3; ++k) {
-        span[k] = cells.place(faces_[f].low[k], k);
-        span[k + 3] = cells.place(faces_[f].high[k], k);
+        span[k] = cells.place(FaceBox::coordinate(boxes_[f].low, k), k);
+        span[k + 3] = cells.place(FaceBox::coordinate(boxes_[f].high, k), k);
         covered *= span[k + 3] - span[k] + 1;
       }
       if (covered > most_cells) {
@@ -121,12 +153,12 @@ class CrossingSearch {
                               begins(x == span[0], 0) | begins(y == span[1], 1) | begins(z == span[2], 2));
     }
     sort_by_cell(entries);
-    std::vector<Box> here;
+    std::vector<FaceBox> here;
     for (std::size_t first = 0; first < entries.size() && found_.size() < most_;) {
       std::size_t last = first;
       while (last < entries.size() && cell_of(entries[last]) == cell_of(entries[first])) ++last;
       here.clear();
-      for (std::size_t i = first; i < last; ++i) here.push_back(boxes[face_of(entries[i])]);
+      for (std::size_t i = first; i < last; ++i) here.push_back(boxes_[face_of(entries[i])]);
       for (std::size_t i = 0; i < here.size(); ++i) {
         for (std::size_t j = i + 1; j < here.size(); ++j) {
           // Once, in the first cell that both are in.
@@ -140,7 +172,7 @@ class CrossingSearch {
     for (std::size_t l = 0; l < large.size(); ++l) {
       for (std::uint32_t f = 0; f < faces_.size() && found_.size() < most_; ++f) {
         const bool later = std::binary_search(large.begin(), large.end(), f);
-        if ((later ? f > large[l] : true) && boxes[large[l]].meets(boxes[f])) visit(large[l], f);
+        if ((later ? f > large[l] : true) && boxes_[large[l]].meets(boxes_[f])) visit(large[l], f);
       }
     }
   }
@@ -159,40 +191,18 @@ class CrossingSearch {
     }
   }
 
-  // Each end is three numbers of 19 bits with a guard above each, so that one subtraction compares all three.
-  struct Box {
-    std::uint64_t low = 0;
-    std::uint64_t high = 0;
-
-    static constexpr unsigned step = 20;
-    static constexpr std::uint64_t guards = std::uint64_t{1} << 19 | std::uint64_t{1} << 39 | std::uint64_t{1} << 59;
-
-    [[nodiscard]] bool meets(const Box& other) const {
-      return (((high | guards) - other.low) & ((other.high | guards) - low) & guards) == guards;
-    }
-  };
-
-  [[nodiscard]] Box box_of(std::uint32_t face, const PolyPoint& origin) const {
-    const auto packed = [&origin](const PolyPoint& p) {
-      std::uint64_t number = 0;
-      for (std::size_t k = 3; k-- > 0;) number = number << Box::step | static_cast<std::uint64_t>(std::int64_t{p[k]} - origin[k]);
-      return number;
-    };
-    return {packed(faces_[face].low), packed(faces_[face].high)};
-  }
-
   // --- two faces
 
   // Whether the outline has corners strictly on both sides.
   [[nodiscard]] bool straddles(const CrossingFace& face, const geometry::Plane& plane) const {
-    if (face.triangle) {
-      const auto at = [&](std::size_t i) { return plane.at(scene_.vertices[face.corners[i]]); };
+    if (face.is_triangle()) {
+      const auto at = [&](std::size_t i) { return plane.at(scene_.vertices[face.ring()[i]]); };
       const std::array<std::int64_t, 3> ends{at(0), at(1), at(2)};
       return std::min({ends[0], ends[1], ends[2]}) < 0 && std::max({ends[0], ends[1], ends[2]}) > 0;
     }
     bool before = false;
     bool beyond = false;
-    for (const VertexIndex v : face.face->outline) {
+    for (const VertexIndex v : face.ring()) {
       const std::int64_t at = plane.at(scene_.vertices[v]);
       before = before || at < 0;
       beyond = beyond || at > 0;
@@ -212,9 +222,10 @@ class CrossingSearch {
     if (found_.size() >= most_) return;
     const CrossingFace& face_a = faces_[a];
     const CrossingFace& face_b = faces_[b];
+    const SharedCorners shared = shared_corners(corners_[a], corners_[b]);
+    if (shared.count > 1) return;  // two corners of each are in the plane of the other
     if (!scene_.surface_of.empty() && scene_.surface_of[a] == scene_.surface_of[b]) return;
     if (!straddles(face_b, face_a.plane) || !straddles(face_a, face_b.plane)) return;
-    const SharedCorners shared = shared_corners(face_a, face_b);
     const CutAxis along = cut_axis(face_a.plane.normal, face_b.plane.normal);
     if (along.sign == 0) return;
     if (shared.count == 1 && leaves(face_a, face_b.plane, shared.in_a, along.axis) !=
@@ -236,23 +247,25 @@ class CrossingSearch {
     std::size_t in_b = 0;
   };
 
-  [[nodiscard]] static SharedCorners shared_corners(const CrossingFace& a, const CrossingFace& b) {
+  [[nodiscard]] static SharedCorners shared_corners(const Triangle& a, const Triangle& b) {
     SharedCorners shared;
-    if (!a.triangle || !b.triangle) return shared;
+    if (a == no_triangle || b == no_triangle) return shared;
     for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        if (a.corners[i] != b.corners[j]) continue;
-        ++shared.count;
-        shared.in_a = i;
-        shared.in_b = j;
-      }
+      const int with_first = a[i] == b[0] ? 1 : 0;
+      const int with_second = a[i] == b[1] ? 1 : 0;
+      const int with_third = a[i] == b[2] ? 1 : 0;
+      const int here = with_first + with_second + with_third;
+      shared.count += here;
+      if (here == 0) continue;
+      shared.in_a = i;
+      shared.in_b = static_cast<std::size_t>(with_second + 2 * with_third);
     }
     return shared;
   }
 
   // The line through a corner of a triangle that straddles the plane goes on within it: whether upwards.
   [[nodiscard]] bool leaves(const CrossingFace& face, const geometry::Plane& plane, std::size_t corner, std::size_t axis) const {
-    const auto at = [&](std::size_t i) -> const PolyPoint& { return scene_.vertices[face.corners[(corner + i) % 3]]; };
+    const auto at = [&](std::size_t i) -> const PolyPoint& { return scene_.vertices[face.ring()[(corner + i) % 3]]; };
     const std::int64_t a = plane.at(at(1));
     const std::int64_t b = plane.at(at(2));
     const std::int64_t from = at(0)[axis];
@@ -270,6 +283,8 @@ class CrossingSearch {
 
   const PolyScene& scene_;
   std::vector<CrossingFace> faces_;
+  std::vector<FaceBox> boxes_;  // of each
+  std::vector<Triangle> corners_;  // of each
   std::vector<Crossing> found_;
   std::size_t most_ = 0;
 };

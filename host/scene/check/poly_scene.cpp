@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "host/base/result.hpp"
@@ -11,13 +12,13 @@
 #include "host/geometry/predicates.hpp"
 #include "host/scene/check/poly_shells.hpp"
 #include "host/scene/check/problems.hpp"
+#include "host/scene/model/index_set.hpp"
 
 namespace sightline::scene {
 
 namespace {
 
 using geometry::Point2;
-using Ring = std::vector<VertexIndex>;
 
 // Where very many edges are side by side the work grows with their square: four million pairs that may meet,
 // or sixteen times as many of which only the bounds are compared, are enough.
@@ -204,6 +205,11 @@ bool check_poly_face(const PolyScene& scene, std::size_t body, std::size_t face,
   return FaceCheck(scene, body, face, problems).run();
 }
 
+bool is_plainly_in_order(const PolyScene& scene, std::size_t body, std::size_t face) {
+  const PolyFace& checked = scene.bodies[body].faces[face];
+  return checked.holes.empty() && scene::is_plainly_in_order(scene.vertices, checked.outline);
+}
+
 // A connected part of a solid's surface.
 struct Shell {
   geometry::Int128 volume = 0;  // six times
@@ -330,7 +336,7 @@ bool check_references(const PolyScene& scene, std::vector<bool>& used, Problems&
     const PolyBody& body = scene.bodies[b];
     if (body.faces.empty()) problems.add(body_place(scene, b), "has no faces");
     for (std::size_t f = 0; f < body.faces.size() && !problems.full(); ++f) {
-      const auto mark = [&](const std::vector<VertexIndex>& ring) {
+      const auto mark = [&](std::span<const VertexIndex> ring) {
         for (const VertexIndex v : ring) {
           if (v < used.size()) {
             used[v] = true;
@@ -363,6 +369,7 @@ bool check_references(const PolyScene& scene, std::vector<bool>& used, Problems&
 void check_vertices(const PolyScene& scene, const std::vector<bool>& used, Problems& problems) {
   for (std::size_t v = 0; v < used.size() && !problems.full(); ++v)
     if (!used[v]) problems.add("vertex", v, scene.wires.empty() ? "is not used by any face" : "is not used by any face or wire");
+  if (all_differ(scene.vertices)) return;
   std::vector<VertexIndex> order(scene.vertices.size());
   std::iota(order.begin(), order.end(), VertexIndex{0});
   std::stable_sort(order.begin(), order.end(),
@@ -378,7 +385,25 @@ void check_vertices(const PolyScene& scene, const std::vector<bool>& used, Probl
 
 }  // namespace
 
-bool is_simple_face(const std::vector<PolyPoint>& vertices, const std::vector<VertexIndex>& ring) {
+bool is_plainly_in_order(const std::vector<PolyPoint>& vertices, std::span<const VertexIndex> ring) {
+  if (ring.size() != 3 && ring.size() != 4) return false;
+  const auto at = [&](std::size_t i) -> const PolyPoint& { return vertices[ring[i]]; };
+  const geometry::Vector3 along = geometry::difference(at(1), at(0));
+  const geometry::Vector3 across = geometry::difference(at(2), at(0));
+  const geometry::Vector3 normal = geometry::cross(along, across);
+  const std::size_t axis = geometry::dominant_axis(normal);
+  if (normal[axis] == 0) return false;
+  if (ring.size() == 3) return true;
+  const geometry::Vector3 back = geometry::difference(at(3), at(0));
+  if (geometry::dot(normal, back) != 0) return false;
+  const auto turns = [&](const geometry::Vector3& a, const geometry::Vector3& b) {
+    const std::int64_t turn = geometry::cross(a, b)[axis];
+    return normal[axis] > 0 ? turn > 0 : turn < 0;
+  };
+  return turns(across, back) && turns(along, back) && turns(geometry::difference(at(2), at(1)), geometry::difference(at(3), at(2)));
+}
+
+bool is_simple_face(const std::vector<PolyPoint>& vertices, std::span<const VertexIndex> ring) {
   if (ring.size() == 3) return true;
   PolyScene alone;  // with its own numbers: the vertices of a mesh are many
   PolyFace face;
@@ -402,7 +427,7 @@ std::vector<base::Error> check_poly_scene(const PolyScene& scene) {
   for (std::size_t b = 0; b < scene.bodies.size() && within_limits; ++b) {
     bool good = !scene.bodies[b].faces.empty();
     for (std::size_t f = 0; f < scene.bodies[b].faces.size() && !problems.full(); ++f)
-      good = check_poly_face(scene, b, f, problems) && good;
+      good = (is_plainly_in_order(scene, b, f) || check_poly_face(scene, b, f, problems)) && good;
     if (good && !scene.bodies[b].sheet && !problems.full()) check_poly_solid(scene, b, problems);
   }
   return problems.take();

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,11 @@ namespace sightline::scene {
 
 // Whether a ring of three or more vertices, all in one plane and not on a line, is simple and touches itself
 // nowhere; false, too, for one with too many edges side by side to be checked.
-[[nodiscard]] bool is_simple_face(const std::vector<PolyPoint>& vertices, const std::vector<VertexIndex>& ring);
+[[nodiscard]] bool is_simple_face(const std::vector<PolyPoint>& vertices, std::span<const VertexIndex> ring);
+
+// Whether a ring is a triangle with an area, or four vertices in one plane that turn the same way at each of them: simple. Most faces
+// are, and this is faster than is_simple_face; false says nothing.
+[[nodiscard]] bool is_plainly_in_order(const std::vector<PolyPoint>& vertices, std::span<const VertexIndex> ring);
 
 // How errors name things.
 [[nodiscard]] inline std::string body_place(const PolyScene& scene, std::size_t body) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <span>
 #include <tuple>
 
 #include "host/geometry/predicates.hpp"
@@ -11,22 +12,20 @@
 namespace sightline::scene {
 namespace {
 
-void add_ring(const std::vector<VertexIndex>& ring, std::size_t face, std::vector<FaceEdge>& edges) {
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const VertexIndex from = ring[i];
-    const VertexIndex to = ring[i + 1 == ring.size() ? 0 : i + 1];
-    edges.push_back({std::min(from, to), std::max(from, to), face, from < to});
+// Calls visit(edge) for each side of the faces.
+template <class Visit>
+void for_face_edges(const PolyBody& body, Visit visit) {
+  for (std::size_t f = 0; f < body.faces.size(); ++f) {
+    const auto add_ring = [&](const Ring& ring) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const VertexIndex from = ring[i];
+        const VertexIndex to = ring[i + 1 == ring.size() ? 0 : i + 1];
+        visit(FaceEdge{std::min(from, to), std::max(from, to), f, from < to});
+      }
+    };
+    add_ring(body.faces[f].outline);
+    for (const Ring& hole : body.faces[f].holes) add_ring(hole);
   }
-}
-
-geometry::Int128 ring_volume(const std::vector<PolyPoint>& vertices, const std::vector<VertexIndex>& ring) {
-  geometry::Int128 volume = 0;
-  const auto origin = geometry::vector_of(vertices[ring[0]]);
-  for (std::size_t i = 2; i < ring.size(); ++i) {
-    volume += geometry::determinant(origin, geometry::vector_of(vertices[ring[i - 1]]),
-                                    geometry::vector_of(vertices[ring[i]]));
-  }
-  return volume;
 }
 
 struct BodyShell {
@@ -69,14 +68,36 @@ std::size_t root_of(std::vector<std::size_t>& parents, std::size_t face) {
 }  // namespace
 
 std::vector<FaceEdge> face_edges(const PolyBody& body) {
-  std::vector<FaceEdge> edges;
-  for (std::size_t f = 0; f < body.faces.size(); ++f) {
-    add_ring(body.faces[f].outline, f, edges);
-    for (const auto& hole : body.faces[f].holes) add_ring(hole, f, edges);
-  }
-  std::sort(edges.begin(), edges.end(), [](const FaceEdge& a, const FaceEdge& b) {
-    return std::tie(a.low, a.high, a.face, a.upwards) < std::tie(b.low, b.high, b.face, b.upwards);
+  VertexIndex least = ~VertexIndex{0};
+  VertexIndex most = 0;
+  std::size_t count = 0;
+  for_face_edges(body, [&](const FaceEdge& edge) {
+    least = std::min(least, edge.low);
+    most = std::max(most, edge.low);
+    ++count;
   });
+  const auto before = [](const FaceEdge& a, const FaceEdge& b) {
+    return std::tie(a.low, a.high, a.face, a.upwards) < std::tie(b.low, b.high, b.face, b.upwards);
+  };
+  std::vector<FaceEdge> edges;
+  edges.reserve(count);
+  // The vertices of a body mostly follow each other: then its edges are sorted by their lower vertex by counting.
+  if (count == 0 || most - least > 4 * count) {
+    for_face_edges(body, [&](const FaceEdge& edge) { edges.push_back(edge); });
+    std::sort(edges.begin(), edges.end(), before);
+    return edges;
+  }
+  std::vector<std::size_t> ends(most - least + 1);
+  for_face_edges(body, [&](const FaceEdge& edge) { ++ends[edge.low - least]; });
+  std::size_t sum = 0;
+  for (std::size_t& end : ends) sum = std::exchange(end, sum) + sum;
+  edges.resize(count);
+  for_face_edges(body, [&](const FaceEdge& edge) { edges[ends[edge.low - least]++] = edge; });
+  std::size_t begin = 0;
+  for (const std::size_t end : ends) {
+    std::sort(edges.begin() + static_cast<std::ptrdiff_t>(begin), edges.begin() + static_cast<std::ptrdiff_t>(end), before);
+    begin = end;
+  }
   return edges;
 }
 
@@ -108,9 +129,17 @@ std::vector<std::size_t> connected_faces(const PolyBody& body, const std::vector
   return parts;
 }
 
+geometry::Int128 enclosed_volume(const std::vector<PolyPoint>& vertices, std::span<const VertexIndex> outline) {
+  geometry::Int128 volume = 0;
+  const auto origin = geometry::vector_of(vertices[outline[0]]);
+  for (std::size_t i = 2; i < outline.size(); ++i)
+    volume += geometry::dot(origin, geometry::cross(geometry::vector_of(vertices[outline[i - 1]]), geometry::vector_of(vertices[outline[i]])));
+  return volume;
+}
+
 geometry::Int128 enclosed_volume(const std::vector<PolyPoint>& vertices, const PolyFace& face) {
-  geometry::Int128 volume = ring_volume(vertices, face.outline);
-  for (const auto& hole : face.holes) volume += ring_volume(vertices, hole);
+  geometry::Int128 volume = enclosed_volume(vertices, std::span<const VertexIndex>(face.outline));
+  for (const auto& hole : face.holes) volume += enclosed_volume(vertices, std::span<const VertexIndex>(hole));
   return volume;
 }
 

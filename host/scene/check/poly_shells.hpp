@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "host/geometry/integer.hpp"
@@ -32,6 +33,7 @@ struct FaceEdge {
 
 // Six times the volume of the cone from the origin over the faces' outlines less their holes: summed over a
 // closed surface, what it encloses, positive if it faces outwards.
+[[nodiscard]] geometry::Int128 enclosed_volume(const std::vector<PolyPoint>& vertices, std::span<const VertexIndex> outline);
 [[nodiscard]] geometry::Int128 enclosed_volume(const std::vector<PolyPoint>& vertices, const PolyFace& face);
 [[nodiscard]] geometry::Int128 enclosed_volume(const std::vector<PolyPoint>& vertices, const PolyBody& body);
 

@@ -17,7 +17,7 @@ void add_moved(PolyScene& scene, PolyScene part, std::int32_t along_x) {
     vertex[0] += along_x;
     scene.vertices.push_back(vertex);
   }
-  const auto move = [first](std::vector<VertexIndex>& ring) {
+  const auto move = [first](Ring& ring) {
     for (VertexIndex& vertex : ring) vertex += first;
   };
   for (PolyBody& body : part.bodies) {

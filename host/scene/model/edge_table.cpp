@@ -3,68 +3,90 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 namespace sightline::scene {
 namespace {
 
-constexpr std::uint32_t no_face = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t no_face = 0x7fffffff;
 
-// Sides of faces; wires count as sides of no face.
 template <class Visit>
-void for_sides(const PolyScene& scene, Visit visit) {
-  std::uint32_t number = 0;
-  const auto ring = [&](const std::vector<VertexIndex>& vertices) {
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      const VertexIndex from = vertices[i];
-      const VertexIndex to = vertices[i + 1 == vertices.size() ? 0 : i + 1];
-      if (from != to) visit(from, to, number);
-    }
-  };
-  for (const PolyBody& body : scene.bodies) {
-    for (const PolyFace& face : body.faces) {
-      ring(face.outline);
-      for (const auto& hole : face.holes) ring(hole);
-      ++number;
-    }
+void for_ring(const Ring& ring, std::uint32_t face, Visit visit) {
+  if (ring.empty()) return;
+  VertexIndex from = ring.back();
+  for (const VertexIndex to : ring) {
+    if (from != to) visit(from, to, face);
+    from = to;
   }
-  for (const auto& [from, to] : scene.wires)
-    if (from != to) visit(from, to, no_face);
 }
 
-struct UpperEnd {  // of a side
-  VertexIndex high = 0;
-  EdgeTable::Use use;
-};
+// A side as one number, by its upper end, its face and whether it is passed upwards: the order of uses.
+constexpr std::uint64_t packed(VertexIndex high, std::uint32_t face, bool upwards) {
+  return std::uint64_t{high} << 32U | std::uint64_t{face} << 1U | std::uint64_t{upwards};
+}
+
+void sort_few(std::uint64_t* begin, std::uint64_t* end) {
+  constexpr std::ptrdiff_t few = 24;
+  if (end - begin > few) {
+    std::sort(begin, end);
+    return;
+  }
+  for (std::uint64_t* i = begin + 1; i < end; ++i) {
+    const std::uint64_t side = *i;
+    std::uint64_t* to = i;
+    for (; to != begin && to[-1] > side; --to) *to = to[-1];
+    *to = side;
+  }
+}
 
 }  // namespace
 
-// A counting sort of the sides by their lower vertex; the few of one vertex are then sorted by the higher
-// one.
 EdgeTable::EdgeTable(const PolyScene& scene) {
-  std::vector<std::uint32_t> start(scene.vertices.size() + 1);
-  for_sides(scene, [&](VertexIndex from, VertexIndex to, std::uint32_t) { ++start[std::min(from, to) + 1]; });
-  for (std::size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
-  std::vector<UpperEnd> sides(start.back());
-  std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
-  for_sides(scene, [&](VertexIndex from, VertexIndex to, std::uint32_t face) {
-    sides[fill[std::min(from, to)]++] = {std::max(from, to), {face, from < to}};
-  });
-  edges_.reserve(sides.size() / 2 + 2);
-  uses_.reserve(sides.size());
-  for (VertexIndex v = 0; v + 1 < start.size(); ++v) {
-    UpperEnd* const begin = sides.data() + start[v];
-    UpperEnd* const end = sides.data() + start[v + 1];
-    std::sort(begin, end, [](const UpperEnd& a, const UpperEnd& b) {
-      if (a.high != b.high) return a.high < b.high;
-      return a.use.face != b.use.face ? a.use.face < b.use.face : a.use.upwards < b.use.upwards;
-    });
-    for (const UpperEnd* side = begin; side != end; ++side) {
-      if (side == begin || side->high != (side - 1)->high)
-        edges_.push_back({v, side->high, static_cast<std::uint32_t>(uses_.size())});
-      if (side->use.face != no_face) uses_.push_back(side->use);
+  build(scene.vertices.size(), [&scene](auto visit) {
+    std::uint32_t number = 0;
+    for (const PolyBody& body : scene.bodies) {
+      for (const PolyFace& face : body.faces) {
+        for_ring(face.outline, number, visit);
+        for (const Ring& hole : face.holes) for_ring(hole, number, visit);
+        ++number;
+      }
     }
+    for (const auto& [from, to] : scene.wires)
+      if (from != to) visit(from, to, no_face);
+  });
+}
+
+EdgeTable::EdgeTable(std::size_t vertices, std::span<const Ring* const> outlines) {
+  build(vertices, [outlines](auto visit) {
+    for (std::uint32_t face = 0; face < outlines.size(); ++face) for_ring(*outlines[face], face, visit);
+  });
+}
+
+// Sides sorted by their lower vertex by counting, then by the higher within the few of one vertex.
+template <class ForSides>
+void EdgeTable::build(std::size_t vertices, ForSides for_sides) {
+  std::vector<std::uint32_t> start(vertices + 1);
+  for_sides([&](VertexIndex from, VertexIndex to, std::uint32_t) { ++start[std::min(from, to)]; });
+  std::uint32_t count = 0;
+  for (std::uint32_t& s : start) s = std::exchange(count, count + s);
+  std::vector<std::uint64_t> sides(count);
+  for_sides([&](VertexIndex from, VertexIndex to, std::uint32_t face) {
+    sides[start[std::min(from, to)]++] = packed(std::max(from, to), face, from < to);
+  });
+  // Now start[v] is where the sides of v end.
+  edges_.reserve(count / 2 + 2);
+  uses_.reserve(count);
+  std::uint32_t begin = 0;
+  for (VertexIndex v = 0; v < vertices; ++v) {
+    sort_few(sides.data() + begin, sides.data() + start[v]);
+    for (std::uint32_t i = begin; i < start[v]; ++i) {
+      const auto high = static_cast<VertexIndex>(sides[i] >> 32U);
+      if (i == begin || high != static_cast<VertexIndex>(sides[i - 1] >> 32U))
+        edges_.push_back({v, high, static_cast<std::uint32_t>(uses_.size())});
+      const auto face = static_cast<std::uint32_t>(sides[i]) >> 1U;
+      if (face != no_face) uses_.push_back({face & no_face, static_cast<std::uint32_t>(sides[i]) & 1U});
+    }
+    begin = start[v];
   }
   edges_.push_back({0, 0, static_cast<std::uint32_t>(uses_.size())});
 }

@@ -4,6 +4,7 @@
 // and then by their higher vertex, as in a LinePicture, so that both number them alike.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,8 +17,8 @@ class EdgeTable {
  public:
   // One side of a face.
   struct Use {
-    std::uint32_t face = 0;  // counted over all bodies from 0
-    bool upwards = false;    // traversed from the lower to the higher vertex
+    std::uint32_t face : 31;    // counted over all bodies from 0
+    std::uint32_t upwards : 1;  // traversed from the lower to the higher vertex
   };
   struct Edge {
     VertexIndex low = 0;
@@ -28,6 +29,8 @@ class EdgeTable {
   // Every index of a face or wire is below the number of vertices (precondition). Sides from a vertex to
   // itself are left out. Linear time, except for sorting the sides at a vertex.
   explicit EdgeTable(const PolyScene& scene);
+  // Of faces without holes.
+  EdgeTable(std::size_t vertices, std::span<const Ring* const> outlines);
 
   [[nodiscard]] std::size_t size() const { return edges_.size() - 1; }
   [[nodiscard]] const Edge& operator[](std::size_t edge) const { return edges_[edge]; }
@@ -39,6 +42,9 @@ class EdgeTable {
   }
 
  private:
+  template <class ForSides>
+  void build(std::size_t vertices, ForSides for_sides);
+
   std::vector<Edge> edges_;  // with one more entry, where the uses end
   std::vector<Use> uses_;
 };

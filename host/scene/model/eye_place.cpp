@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ using geometry::Point2;
 using geometry::Vector3;
 
 // Twice the area of the outline, as a vector; overflow of partial sums is harmless, the total fits.
-Vector3 normal_of(const std::vector<PolyPoint>& vertices, const std::vector<VertexIndex>& outline) {
+Vector3 normal_of(const std::vector<PolyPoint>& vertices, std::span<const VertexIndex> outline) {
   std::array<std::uint64_t, 3> sum{};
   const PolyPoint& about = vertices[outline[0]];
   for (std::size_t i = 2; i < outline.size(); ++i) {
@@ -35,16 +36,16 @@ Vector3 normal_of(const std::vector<PolyPoint>& vertices, const std::vector<Vert
 
 class FaceAndEye {
  public:
-  FaceAndEye(const std::vector<PolyPoint>& vertices, const PolyFace& face, const PolyPoint& eye)
-      : vertices_(vertices), face_(face), eye_(eye), normal_(normal_of(vertices, face.outline)) {
-    above_ = geometry::dot(normal_, geometry::difference(eye, vertices[face.outline[0]]));
+  FaceAndEye(const std::vector<PolyPoint>& vertices, std::span<const VertexIndex> outline, std::span<const Ring> holes, const PolyPoint& eye)
+      : vertices_(vertices), outline_(outline), holes_(holes), eye_(eye), normal_(normal_of(vertices, outline)) {
+    above_ = geometry::dot(normal_, geometry::difference(eye, vertices[outline[0]]));
   }
 
   [[nodiscard]] bool contains() const {
     if (above_ != 0) return false;
     const std::size_t axis = geometry::dominant_axis(normal_);
-    if (locate(face_.outline, axis) < 0) return false;
-    for (const auto& hole : face_.holes)
+    if (locate(outline_, axis) < 0) return false;
+    for (const auto& hole : holes_)
       if (locate(hole, axis) > 0) return false;
     return true;
   }
@@ -52,13 +53,13 @@ class FaceAndEye {
   // Whether the ray along +x from the eye, perturbed, crosses the face. The eye is not on the face.
   [[nodiscard]] bool stops_ray() const {
     if (geometry::sign(above_) * geometry::sign(normal_[0]) >= 0) return false;
-    bool inside = surrounds(face_.outline);
-    for (const auto& hole : face_.holes) inside = inside != surrounds(hole);
+    bool inside = surrounds(outline_);
+    for (const auto& hole : holes_) inside = inside != surrounds(hole);
     return inside;
   }
 
  private:
-  [[nodiscard]] int locate(const std::vector<VertexIndex>& ring, std::size_t axis) const {
+  [[nodiscard]] int locate(std::span<const VertexIndex> ring, std::size_t axis) const {
     std::vector<Point2> flat;
     flat.reserve(ring.size());
     for (const VertexIndex v : ring) flat.push_back(geometry::flattened(vertices_[v], axis));
@@ -66,7 +67,7 @@ class FaceAndEye {
   }
 
   // In the projection along x to (y, z). The point is at z + e and y - e^2.
-  [[nodiscard]] bool surrounds(const std::vector<VertexIndex>& ring) const {
+  [[nodiscard]] bool surrounds(std::span<const VertexIndex> ring) const {
     const Point2 p = geometry::flattened(eye_, 0);
     bool inside = false;
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -84,7 +85,8 @@ class FaceAndEye {
   }
 
   const std::vector<PolyPoint>& vertices_;
-  const PolyFace& face_;
+  std::span<const VertexIndex> outline_;
+  std::span<const Ring> holes_;
   const PolyPoint& eye_;
   Vector3 normal_;
   std::int64_t above_ = 0;  // value of the face's plane at the eye: distance times the normal's length
@@ -98,7 +100,7 @@ EyePlace eye_place(const PolyScene& scene, const PolyPoint& eye) {
     const PolyBody& body = scene.bodies[b];
     bool inside = false;
     for (std::size_t f = 0; f < body.faces.size(); ++f) {
-      const FaceAndEye pair(scene.vertices, body.faces[f], eye);
+      const FaceAndEye pair(scene.vertices, body.faces[f].outline, body.faces[f].holes, eye);
       if (pair.contains()) return {EyePlace::Kind::on_face, b, f};
       inside = inside != pair.stops_ray();
     }
@@ -107,8 +109,8 @@ EyePlace eye_place(const PolyScene& scene, const PolyPoint& eye) {
   return place;
 }
 
-bool ray_crosses(const std::vector<PolyPoint>& vertices, const PolyFace& face, const PolyPoint& from) {
-  return FaceAndEye(vertices, face, from).stops_ray();
+bool ray_crosses(const std::vector<PolyPoint>& vertices, std::span<const VertexIndex> outline, const PolyPoint& from) {
+  return FaceAndEye(vertices, outline, {}, from).stops_ray();
 }
 
 std::optional<base::Error> eye_error(const PolyScene& scene, const PolyCamera& camera) {

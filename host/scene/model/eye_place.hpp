@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "host/base/result.hpp"
@@ -34,9 +35,9 @@ struct EyePlace {
 // eye in free space. The eye of an orthographic camera is not a position, so it may be anywhere.
 [[nodiscard]] std::optional<base::Error> eye_error(const PolyScene& scene, const PolyCamera& camera);
 
-// Whether the ray along +x from a point, perturbed as above, crosses a face. False if the point is on the
+// Whether the ray along +x from a point, perturbed as above, crosses a face without holes. False if the point is on the
 // face's plane.
-[[nodiscard]] bool ray_crosses(const std::vector<PolyPoint>& vertices, const PolyFace& face, const PolyPoint& from);
+[[nodiscard]] bool ray_crosses(const std::vector<PolyPoint>& vertices, std::span<const VertexIndex> outline, const PolyPoint& from);
 
 // Which cell contains a point?
 

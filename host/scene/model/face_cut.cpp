@@ -2,6 +2,7 @@
 #include "host/scene/model/face_cut.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "host/geometry/wide_integer.hpp"
 
@@ -37,7 +38,7 @@ FaceCuts cuts_of(std::span<const PolyPoint> vertices, const PolyFace& face, cons
                  bool zero_is_beyond, bool& zero) {
   std::vector<CutPlace> places;
   const auto beyond = [zero_is_beyond](std::int64_t at) { return zero_is_beyond ? at >= 0 : at > 0; };
-  const auto add_ring = [&](const std::vector<VertexIndex>& ring) {
+  const auto add_ring = [&](std::span<const VertexIndex> ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       // The lower vertex first, so that both faces at a side compute the same point.
       const auto [p, q] = std::minmax({ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]});

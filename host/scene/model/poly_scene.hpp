@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "host/geometry/predicates.hpp"
+#include "host/scene/model/ring.hpp"
 
 namespace sightline::scene {
 
@@ -21,7 +22,6 @@ namespace sightline::scene {
 inline constexpr std::int32_t poly_coordinate_limit = 1 << 18;
 
 using PolyPoint = std::array<std::int32_t, 3>;
-using VertexIndex = std::uint32_t;
 
 // The position of a scene in its file, in steps; 64 bits, because a part may be far from 0. It and the
 // absolute coordinates are below 2^53 in magnitude, so each is exact as a double.
@@ -29,8 +29,8 @@ using PolyOrigin = std::array<std::int64_t, 3>;
 
 // A planar region: counterclockwise outline seen from outside, clockwise holes.
 struct PolyFace {
-  std::vector<VertexIndex> outline;
-  std::vector<std::vector<VertexIndex>> holes;
+  Ring outline;
+  std::vector<Ring> holes;
 
   friend bool operator==(const PolyFace&, const PolyFace&) = default;
 };

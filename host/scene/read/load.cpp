@@ -154,9 +154,13 @@ SceneReading read_scene(SceneFile file, const PolyImportOptions& options) {
   } else if (format == PolyFormat::json || is_cell_complex(file.text)) {
     read_json(file, reading);
   } else {
-    PolyImportOptions with_folder = options;
-    with_folder.folder = file.folder;
-    take_polyhedra(read_poly(file.text, file.name, format, with_folder), reading);
+    auto mesh = read_mesh(file.text, file.name, format, file.folder);
+    std::string().swap(file.text);  // its memory is needed for mending
+    if (mesh) {
+      take_polyhedra(import_poly(std::move(*mesh), options), reading);
+    } else {
+      take_polyhedra(std::move(mesh.error()), reading);
+    }
   }
   for (base::Error& error : reading.errors) error.file = file.name;
   return reading;

@@ -184,10 +184,13 @@ class OffReader {
     }
     if (layout_ == OffLayout::stream) return true;
     // What follows is a colour, in numbers or as the place in a map.
-    std::string colour;
-    for (const std::string_view field : lines_.rest()) colour += std::string(field) + ' ';
+    colour_.clear();
+    for (const std::string_view field : lines_.rest()) (colour_ += field) += ' ';
     lines_.pass_over(lines_.rest().size());
-    mesh_.materials.push_back(materials_.try_emplace(colour, static_cast<std::uint32_t>(materials_.size())).first->second);
+    // Most faces have that of the face before.
+    if (materials_.empty() || last_material_->first != colour_)
+      last_material_ = materials_.try_emplace(colour_, static_cast<std::uint32_t>(materials_.size())).first;
+    mesh_.materials.push_back(last_material_->second);
     return true;
   }
 
@@ -201,6 +204,8 @@ class OffReader {
   std::size_t faces_ = 0;
   std::size_t more_of_vertex_ = 0;  // numbers behind x, y and z
   std::map<std::string, std::uint32_t> materials_;  // by the colour as written
+  std::map<std::string, std::uint32_t>::const_iterator last_material_;
+  std::string colour_;
   TextPrecision precision_;
   std::optional<base::Error> error_;
 };

@@ -24,7 +24,6 @@
 namespace sightline::scene {
 namespace {
 
-using Ring = std::vector<VertexIndex>;
 
 void append_point(std::string& text, const PolyScene& scene, const PolyPoint& p) {
   for (std::size_t a = 0; a < 3; ++a) {
@@ -274,18 +273,6 @@ std::optional<PolyFormat> format_by_content(const std::string_view whole) {
   return std::nullopt;
 }
 
-base::Result<PolyMesh> read_mesh(std::string_view text, std::string_view source, PolyFormat format, const std::string& folder) {
-  switch (format) {
-    case PolyFormat::off: return read_off(text, source);
-    case PolyFormat::stl: return read_stl(text, source);
-    case PolyFormat::ply: return read_ply(text, source);
-    case PolyFormat::gltf: return read_gltf(text, source, folder);
-    case PolyFormat::glb: return read_glb(text, source, folder);
-    case PolyFormat::threemf: return read_three_mf(text, source);
-    default: return read_obj(text, source);
-  }
-}
-
 }  // namespace
 
 std::optional<PolyFormat> poly_format_of(std::string_view file) {
@@ -304,6 +291,18 @@ PolyFormat poly_format_of(std::string_view file, std::string_view text) {
   if (is_binary_stl(text) || (stl && named == PolyFormat::stl)) return PolyFormat::stl;
   if (const auto told = format_by_content(text)) return *told;
   return named.value_or(stl ? PolyFormat::stl : PolyFormat::json);
+}
+
+base::Result<PolyMesh> read_mesh(std::string_view text, std::string_view source, PolyFormat format, const std::string& folder) {
+  switch (format) {
+    case PolyFormat::off: return read_off(text, source);
+    case PolyFormat::stl: return read_stl(text, source);
+    case PolyFormat::ply: return read_ply(text, source);
+    case PolyFormat::gltf: return read_gltf(text, source, folder);
+    case PolyFormat::glb: return read_glb(text, source, folder);
+    case PolyFormat::threemf: return read_three_mf(text, source);
+    default: return read_obj(text, source);
+  }
 }
 
 PolyImport import_unchanged(PolyScene scene) {

@@ -15,6 +15,7 @@
 #include "host/scene/check/poly_shells.hpp"
 #include "host/scene/model/aim_camera.hpp"
 #include "host/scene/model/file_units.hpp"
+#include "host/scene/model/index_set.hpp"
 #include "host/scene/read/open_vertices.hpp"
 #include "host/scene/read/poly_mend.hpp"
 #include "host/scene/read/poly_planes.hpp"
@@ -26,7 +27,6 @@ namespace {
 
 constexpr VertexIndex no_point = std::numeric_limits<VertexIndex>::max();
 
-using Ring = std::vector<VertexIndex>;
 using Triangles = std::vector<std::array<VertexIndex, 3>>;
 
 class Import {
@@ -142,12 +142,12 @@ class Import {
       for (const PolyFace& face : body.faces) file.add(face.outline);
     std::vector<std::size_t> body_sizes;
     for (const PolyBody& body : scene().bodies) body_sizes.push_back(body.faces.size());
-    const std::vector<MendedFace> mended = mend(scene(), file, mend_options(options_.weld), faces());
+    const MendResult mended = mend(scene(), file, mend_options(options_.weld), faces());
     faces().largest_deviation *= report().step;
     if (!number_in_file_.empty()) faces().first_crossing = number_in_file_[faces().first_crossing];
     report().mended = true;
-    if (mended.empty() && !scene().wires.empty()) return;
-    if (mended.empty()) {
+    if (mended.faces.empty() && !scene().wires.empty()) return;
+    if (mended.faces.empty()) {
       if (file.size() == 0) {
         error_ = mesh_.flaw.value_or(
             base::Error{mesh_.source, "", "found no faces", "a mesh", "points alone make no drawing"});
@@ -165,8 +165,8 @@ class Import {
     if (report().quantised && !scene().wires.empty()) find_surfaces_of_wires();
     if (mesh_.materials.empty()) return;
     scene().materials_are_colours = mesh_.materials_are_colours;
-    scene().material_of.reserve(mended.size());
-    for (const MendedFace& face : mended) scene().material_of.push_back(mesh_.materials[face.source]);
+    scene().material_of.reserve(mended.faces.size());
+    for (const MendedFace& face : mended.faces) scene().material_of.push_back(mesh_.materials[face.source]);
   }
 
   // A wire and a corner of a surface are up to 0.87 steps from where the file has them. If that is much of the scene, the
@@ -321,6 +321,7 @@ class Import {
   // Of equal vertices those that were different before become one.
   void merge_vertices() {
     const auto& points = scene().vertices;
+    if (all_differ(points)) return;
     std::vector<VertexIndex> order(points.size());
     std::iota(order.begin(), order.end(), VertexIndex{0});
     std::stable_sort(order.begin(), order.end(),

@@ -47,8 +47,8 @@ class PolyReader {
     return value != nullptr ? point(*value, std::string("camera.") + which, largest) : PolyPoint{};
   }
 
-  std::vector<VertexIndex> ring(const Json& value, const std::string& place) {
-    std::vector<VertexIndex> result;
+  Ring ring(const Json& value, const std::string& place) {
+    Ring result;
     if (!json_.array(value, place)) return result;
     if (value.size() < 3) json_.expected("an array of 3 or more", value, place);
     const auto last = static_cast<std::int64_t>(scene_.vertices.size()) - 1;

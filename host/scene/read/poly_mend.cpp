@@ -17,49 +17,15 @@
 #include "host/scene/check/poly_shells.hpp"
 #include "host/scene/model/edge_table.hpp"
 #include "host/scene/model/eye_place.hpp"
+#include "host/scene/model/index_set.hpp"
 #include "host/scene/read/open_vertices.hpp"
 #include "host/scene/read/poly_triangulate.hpp"
 
 namespace sightline::scene {
 namespace {
 
-using Ring = std::vector<VertexIndex>;
 
 constexpr std::uint32_t no_part = std::numeric_limits<std::uint32_t>::max();
-
-std::uint64_t spread(std::uint64_t key) {  // the bits of a key over all bits of a word (Steele's SplitMix)
-  key = (key ^ key >> 30U) * 0xbf58476d1ce4e5b9U;
-  key = (key ^ key >> 27U) * 0x94d049bb133111ebU;
-  return key ^ key >> 31U;
-}
-
-// A hash table of indices, found by a key of what they stand for. It has room for `most` of them.
-class IndexSet {
- public:
-  explicit IndexSet(std::size_t most) {
-    std::size_t size = 16;
-    while (size < 2 * most) size *= 2;
-    places_.assign(size, no_part);
-  }
-
-  // The index in the table for which `same` holds, else `number`, which is added.
-  template <class Same>
-  std::uint32_t find_or_add(std::uint64_t key, std::uint32_t number, Same same) {
-    for (std::size_t at = spread(key) & (places_.size() - 1);; at = (at + 1) & (places_.size() - 1)) {
-      if (places_[at] == no_part) places_[at] = number;
-      if (places_[at] == number || same(places_[at])) return places_[at];
-    }
-  }
-
- private:
-  std::vector<std::uint32_t> places_;
-};
-
-std::uint64_t key_of(const PolyPoint& p) {
-  std::uint64_t key = 0;
-  for (const std::int32_t c : p) key = key << 20U | static_cast<std::uint32_t>(c + poly_coordinate_limit);
-  return key;
-}
 
 std::uint32_t root_of(std::vector<std::uint32_t>& parents, std::uint32_t i) {
   while (parents[i] != i) {
@@ -67,15 +33,6 @@ std::uint32_t root_of(std::vector<std::uint32_t>& parents, std::uint32_t i) {
     i = parents[i];
   }
   return i;
-}
-
-// For each vertex the one that it becomes: of equal ones the first.
-std::vector<VertexIndex> equal_points(const std::vector<PolyPoint>& points) {
-  IndexSet numbers(points.size());
-  std::vector<VertexIndex> target(points.size());
-  for (VertexIndex v = 0; v < points.size(); ++v)
-    target[v] = numbers.find_or_add(key_of(points[v]), v, [&](VertexIndex w) { return points[w] == points[v]; });
-  return target;
 }
 
 // Joins, of the vertices that are their own target, those at most `distance` apart, and those that these join.
@@ -152,7 +109,10 @@ void clean(Ring& ring) {
 }
 
 bool clean_already(const Ring& ring) {
-  return ring.size() == 3 && ring[0] != ring[1] && ring[1] != ring[2] && ring[2] != ring[0];
+  if (ring.size() != 3 && ring.size() != 4) return false;
+  const VertexIndex* const v = ring.data();
+  if (v[0] == v[1] || v[1] == v[2] || v[0] == v[2]) return false;
+  return ring.size() == 3 || (v[3] != v[0] && v[3] != v[1] && v[3] != v[2]);
 }
 
 // Corners of faces of the file by the vertices that they became: two faces may have different ones for one vertex.
@@ -184,25 +144,25 @@ class Mending {
   Mending(PolyScene& scene, const FileFaces& file, const MendOptions& options, MendReport& report)
       : scene_(scene), file_(file), options_(options), report_(report) {}
 
-  std::vector<MendedFace> run() {
+  MendResult run() {
     take_faces();
     put_in_order();
-    share_faces();
-    std::optional<EdgeTable> edges;
-    edges.emplace(scene_);
+    std::optional<EdgeTable> edges(edge_table());
     for (const auto close : {&Mending::join_ends, &Mending::divide_edges}) {
       const std::vector<OpenEdge> open = open_edges_of(*edges, [this](std::uint32_t face) { return pieces_[face].body; });
-      if (open.empty() || !(this->*close)(*edges, open)) continue;
+      if (open.empty()) break;
+      if (!(this->*close)(*edges, open)) continue;
       put_in_order();
-      share_faces();
-      edges.emplace(scene_);
+      edges.emplace(edge_table());
     }
     for (PolyWire& wire : scene_.wires) wire = {target_[wire[0]], target_[wire[1]]};
     tidy_wires(scene_.wires, report_);
     make_parts(*edges);
+    edges.reset();
     orient();
     put_together();
-    return drop_unused();
+    drop_unused();
+    return std::move(result_);
   }
 
  private:
@@ -215,13 +175,22 @@ class Mending {
     pieces_.reserve(face_count(scene_));
     for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
       for (PolyFace& face : scene_.bodies[b].faces) {
-        Piece piece{std::move(face.outline), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(pieces_.size())};
+        Piece& piece = pieces_.emplace_back(
+            Piece{std::move(face.outline), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(pieces_.size())});
         for (VertexIndex& v : piece.ring) v = target_[v];
         if (!clean_already(piece.ring)) clean(piece.ring);
         if (piece.ring.empty()) leave_out(piece, report_.dropped_faces);
-        pieces_.push_back(std::move(piece));
       }
+      scene_.bodies[b].faces = {};
     }
+  }
+
+  // Of the faces as they are now, numbered as in pieces_.
+  [[nodiscard]] EdgeTable edge_table() const {
+    std::vector<const Ring*> outlines;
+    outlines.reserve(pieces_.size());
+    for (const Piece& piece : pieces_) outlines.push_back(&piece.ring);
+    return {points().size(), outlines};
   }
 
   void put_in_order() {
@@ -263,6 +232,7 @@ class Mending {
     for (std::size_t p = 0; p < count; ++p) {
       if (pieces_[p].ring.size() <= 3) continue;
       const Ring& ring = pieces_[p].ring;
+      if (is_plainly_in_order(points(), ring)) continue;
       if (on_a_line(ring)) {
         leave_out(pieces_[p], report_.dropped_faces);
         continue;
@@ -300,14 +270,19 @@ class Mending {
       sorted = ring;
       std::sort(sorted.begin(), sorted.end());
     };
+    // The same for every order of the vertices.
+    const auto key_of_piece = [](const Piece& piece) {
+      std::uint64_t key = piece.body;
+      for (const VertexIndex v : piece.ring) key += spread(v + 1);
+      return key;
+    };
     for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
+      if (p + IndexSet::fetched_ahead < pieces_.size()) numbers.fetch(key_of_piece(pieces_[p + IndexSet::fetched_ahead]));
       Piece& piece = pieces_[p];
       if (piece.left_out) continue;
-      sorted_into(mine, piece.ring);
-      std::uint64_t key = piece.body;
-      for (const VertexIndex v : mine) key = spread(key) + v;
-      const std::uint32_t first = numbers.find_or_add(key, p, [&](std::uint32_t q) {
+      const std::uint32_t first = numbers.find_or_add(key_of_piece(piece), p, [&](std::uint32_t q) {
         if (pieces_[q].body != piece.body || pieces_[q].ring.size() != piece.ring.size()) return false;
+        sorted_into(mine, piece.ring);
         sorted_into(other, pieces_[q].ring);
         return mine == other;
       });
@@ -387,20 +362,6 @@ class Mending {
                   pieces_.end());
   }
 
-  // --- parts
-
-  // The edge table wants a scene: the faces lend it their rings.
-  void share_faces() {
-    for (std::size_t b = 0; b < scene_.bodies.size(); ++b) scene_.bodies[b].faces.clear();
-    for (Piece& piece : pieces_) scene_.bodies[piece.body].faces.push_back({std::move(piece.ring), {}});
-  }
-
-  void take_back() {
-    std::size_t number = 0;
-    for (PolyBody& body : scene_.bodies)
-      for (PolyFace& face : body.faces) pieces_[number++].ring = std::move(face.outline);
-  }
-
   // --- cracks
 
   // Ends of open edges that only rounding keeps apart.
@@ -433,7 +394,6 @@ class Mending {
       groups[a_is_lower ? a : b] = both;
       ++report_.joined_vertices;
     }
-    take_back();
     for (VertexIndex& t : target_) t = root_of(parents, t);
     for (Piece& piece : pieces_) {
       bool changed = false;
@@ -494,7 +454,6 @@ class Mending {
     std::vector<Division> divisions = helpful_divisions(edges, open, passed);
     if (divisions.empty()) return false;
     std::sort(divisions.begin(), divisions.end());
-    take_back();
     bool divided = false;
     for (std::size_t first = 0; first < divisions.size();) {
       std::size_t end = first + 1;
@@ -503,7 +462,6 @@ class Mending {
       first = end;
     }
     if (divided) sort_pieces();
-    else share_faces();
     return divided;
   }
 
@@ -603,15 +561,12 @@ class Mending {
 
   // Calls visit(uses) for the uses of an edge by each body.
   template <class Visit>
-  void for_edges_of_bodies(const EdgeTable& edges, Visit visit) const {
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-      std::span<const EdgeTable::Use> uses = edges.uses(e);
-      while (!uses.empty()) {
-        std::size_t count = 1;
-        while (count < uses.size() && pieces_[uses[count].face].body == pieces_[uses[0].face].body) ++count;
-        visit(uses.first(count));
-        uses = uses.subspan(count);
-      }
+  void for_edges_of_bodies(std::span<const EdgeTable::Use> uses, Visit visit) const {
+    while (!uses.empty()) {
+      std::size_t count = 1;
+      while (count < uses.size() && pieces_[uses[count].face].body == pieces_[uses[0].face].body) ++count;
+      visit(uses.first(count));
+      uses = uses.subspan(count);
     }
   }
 
@@ -622,7 +577,6 @@ class Mending {
 
   struct Part {
     std::uint32_t body = 0;
-    std::uint32_t faces = 0;
     bool one_sided = false;
     bool closed = true;
     bool crowded = false;  // at an edge with three or more faces: a body of its own
@@ -637,21 +591,86 @@ class Mending {
   };
 
   void make_parts(const EdgeTable& edges) {
+    // Nearly all edges of most meshes: of two faces of one body, which pass it in opposite directions.
+    std::vector<std::uint32_t> others;
+    bool all_agree = true;
+    for (std::uint32_t e = 0; e < edges.size(); ++e) {
+      const auto uses = edges.uses(e);
+      const bool of_two = uses.size() == 2 && pieces_[uses[0].face].body == pieces_[uses[1].face].body;
+      if (of_two) result_.neighbours.push_back({uses[0].face, uses[1].face});
+      if (of_two && uses[0].upwards != uses[1].upwards) continue;
+      others.push_back(e);
+    }
+    for (const std::uint32_t e : others) {
+      for_edges_of_bodies(edges.uses(e), [&](std::span<const EdgeTable::Use> uses) {
+        if (uses.size() > 2) ++report_.crowded_edges;
+        all_agree = all_agree && (uses.size() != 2 || uses[0].upwards != uses[1].upwards);
+      });
+    }
+    if (all_agree) {
+      join_faces(edges, others);
+    } else {
+      turn_faces(edges);
+    }
+    if (all_agree) {
+      for (const std::uint32_t e : others) mark_open(edges.uses(e));
+    } else {
+      for (std::size_t e = 0; e < edges.size(); ++e) mark_open(edges.uses(e));
+    }
+    for (auto& pair : result_.neighbours) pair = {pieces_[pair[0]].source, pieces_[pair[1]].source};
+    measure();
+  }
+
+  // No face has to be turned to agree with its neighbours.
+  void join_faces(const EdgeTable& edges, const std::vector<std::uint32_t>& others) {
+    std::vector<std::uint32_t> parents(pieces_.size());
+    std::iota(parents.begin(), parents.end(), 0U);
+    // The root of a part is its first face.
+    const auto join = [&parents](std::uint32_t f, std::uint32_t g) {
+      const std::uint32_t a = root_of(parents, f);
+      const std::uint32_t b = root_of(parents, g);
+      parents[std::max(a, b)] = std::min(a, b);
+    };
+    for (const auto& [f, g] : result_.neighbours) join(f, g);
+    for (const std::uint32_t e : others) {
+      for_edges_of_bodies(edges.uses(e), [&](std::span<const EdgeTable::Use> uses) {
+        if (uses.size() == 2) join(uses[0].face, uses[1].face);
+      });
+    }
+    part_of_.resize(pieces_.size());
+    for (std::uint32_t f = 0; f < pieces_.size(); ++f) {
+      const std::uint32_t root = root_of(parents, f);
+      if (root == f) {
+        part_of_[f] = static_cast<std::uint32_t>(parts_.size());
+        parts_.push_back({pieces_[f].body});
+        parts_.back().first = f;
+      } else {
+        part_of_[f] = part_of_[root];
+      }
+    }
+  }
+
+  // From the first face of each part on, its neighbours are turned to agree with it.
+  void turn_faces(const EdgeTable& edges) {
     std::vector<std::uint32_t> start(pieces_.size() + 1);
-    for_edges_of_bodies(edges, [&](std::span<const EdgeTable::Use> uses) {
-      if (uses.size() != 2) return;
-      ++start[uses[0].face + 1];
-      ++start[uses[1].face + 1];
+    const auto for_links = [&](auto visit) {
+      for (std::size_t e = 0; e < edges.size(); ++e) {
+        for_edges_of_bodies(edges.uses(e), [&](std::span<const EdgeTable::Use> uses) {
+          if (uses.size() == 2) visit(uses[0], uses[1]);
+        });
+      }
+    };
+    for_links([&](const EdgeTable::Use& a, const EdgeTable::Use& b) {
+      ++start[a.face + 1];
+      ++start[b.face + 1];
     });
     for (std::size_t f = 1; f < start.size(); ++f) start[f] += start[f - 1];
     std::vector<Link> links(start.back());
     std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
-    for_edges_of_bodies(edges, [&](std::span<const EdgeTable::Use> uses) {
-      if (uses.size() > 2) ++report_.crowded_edges;
-      if (uses.size() != 2) return;
-      const bool agrees = uses[0].upwards != uses[1].upwards;
-      links[fill[uses[0].face]++] = {uses[1].face, agrees};
-      links[fill[uses[1].face]++] = {uses[0].face, agrees};
+    for_links([&](const EdgeTable::Use& a, const EdgeTable::Use& b) {
+      const bool agrees = a.upwards != b.upwards;
+      links[fill[a.face]++] = {b.face, agrees};
+      links[fill[b.face]++] = {a.face, agrees};
     });
     part_of_.assign(pieces_.size(), no_part);
     std::vector<std::uint32_t> queue;
@@ -665,7 +684,6 @@ class Mending {
       while (!queue.empty()) {
         const std::uint32_t face = queue.back();
         queue.pop_back();
-        ++part.faces;
         for (std::uint32_t l = start[face]; l < start[face + 1]; ++l) {
           const bool turned = pieces_[face].turned != !links[l].agrees;
           if (part_of_[links[l].to] == no_part) {
@@ -679,8 +697,6 @@ class Mending {
       }
       parts_.push_back(part);
     }
-    for (std::size_t e = 0; e < edges.size(); ++e) mark_open(edges.uses(e));
-    measure();
   }
 
   // A part is closed if each of its edges is a side of two of its faces, passed in opposite directions.
@@ -698,18 +714,15 @@ class Mending {
     }
   }
 
-  [[nodiscard]] const PolyFace& face_at(std::uint32_t face) const { return *faces_[face]; }
+  [[nodiscard]] const Ring& ring_at(std::uint32_t face) const { return pieces_[face].ring; }
 
   void measure() {
-    faces_.clear();
-    for (const PolyBody& body : scene_.bodies)
-      for (const PolyFace& face : body.faces) faces_.push_back(&face);
-    for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+    for (std::uint32_t f = 0; f < pieces_.size(); ++f) {
       Part& part = parts_[part_of_[f]];
-      if (part.first == f) part.low = part.high = points()[face_at(f).outline[0]];
-      const auto volume = enclosed_volume(points(), face_at(f));
+      if (part.first == f) part.low = part.high = points()[ring_at(f)[0]];
+      const auto volume = enclosed_volume(points(), ring_at(f));
       part.volume += pieces_[f].turned ? -volume : volume;
-      for (const VertexIndex v : face_at(f).outline) {
+      for (const VertexIndex v : ring_at(f)) {
         for (std::size_t a = 0; a < 3; ++a) {
           part.low[a] = std::min(part.low[a], points()[v][a]);
           part.high[a] = std::max(part.high[a], points()[v][a]);
@@ -726,28 +739,59 @@ class Mending {
       report_.sheets += parts_[p].solid() ? 0U : 1U;
       report_.one_sided += parts_[p].one_sided ? 1U : 0U;
     }
-    // By their lower bounds: what lies in another begins after it.
-    std::vector<std::uint32_t> by_low = solids;
-    std::sort(by_low.begin(), by_low.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return parts_[a].low[0] != parts_[b].low[0] ? parts_[a].low[0] < parts_[b].low[0] : a < b;
-    });
-    std::vector<std::vector<std::uint32_t>> inner(parts_.size());
-    bool any = false;
-    for (std::size_t i = 0; i < by_low.size(); ++i) {
-      const Part& outer = parts_[by_low[i]];
-      for (std::size_t j = i + 1; j < by_low.size() && parts_[by_low[j]].low[0] <= outer.high[0]; ++j) {
-        if (!within(parts_[by_low[j]], outer)) continue;
-        inner[by_low[i]].push_back(by_low[j]);
-        any = true;
-      }
+    if (const auto pairs = enclosed_bounds(solids); !pairs.empty()) {
+      std::vector<std::vector<std::uint32_t>> inner(parts_.size());
+      for (const auto& [outer, within] : pairs) inner[outer].push_back(within);
+      nest(inner);
     }
-    if (any) nest(inner);
     for (std::uint32_t f = 0; f < pieces_.size(); ++f) {
       const Part& part = parts_[part_of_[f]];
       const bool inside_out = part.solid() && (part.volume > 0) != (part.depth % 2 == 0);
       pieces_[f].turned = pieces_[f].turned != inside_out;
       report_.turned_faces += pieces_[f].turned ? 1U : 0U;
     }
+  }
+
+  // Pairs of solids of which the bounds of the first are around those of the second. The low corners are sorted into cells, about
+  // one a solid, and those in the cells of the other's bounds are tried.
+  [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> enclosed_bounds(const std::vector<std::uint32_t>& solids) const {
+    std::vector<std::array<std::uint32_t, 2>> pairs;
+    if (solids.size() < 2) return pairs;
+    PolyPoint low = parts_[solids[0]].low;
+    PolyPoint high = low;
+    for (const std::uint32_t p : solids) {
+      for (std::size_t a = 0; a < 3; ++a) {
+        low[a] = std::min(low[a], parts_[p].low[a]);
+        high[a] = std::max(high[a], parts_[p].low[a]);
+      }
+    }
+    const auto a_side = static_cast<std::int64_t>(std::cbrt(static_cast<double>(solids.size()))) + 1;
+    std::array<std::int64_t, 3> size{};
+    for (std::size_t a = 0; a < 3; ++a) size[a] = (std::int64_t{high[a]} - low[a]) / a_side + 1;
+    const auto place = [&](const PolyPoint& p, std::size_t a) {
+      return std::min((std::int64_t{p[a]} - low[a]) / size[a], a_side - 1);
+    };
+    const auto cell = [&](std::int64_t x, std::int64_t y, std::int64_t z) { return static_cast<std::size_t>((x * a_side + y) * a_side + z); };
+    std::vector<std::uint32_t> starts(static_cast<std::size_t>(a_side * a_side * a_side) + 1);
+    const auto cell_of = [&](std::uint32_t p) { return cell(place(parts_[p].low, 0), place(parts_[p].low, 1), place(parts_[p].low, 2)); };
+    for (const std::uint32_t p : solids) ++starts[cell_of(p) + 1];
+    for (std::size_t c = 1; c < starts.size(); ++c) starts[c] += starts[c - 1];
+    std::vector<std::uint32_t> members(solids.size());
+    std::vector<std::uint32_t> fill(starts.begin(), starts.end() - 1);
+    for (const std::uint32_t p : solids) members[fill[cell_of(p)]++] = p;
+    for (const std::uint32_t outer : solids) {
+      const Part& around = parts_[outer];
+      for (std::int64_t x = place(around.low, 0); x <= place(around.high, 0); ++x) {
+        for (std::int64_t y = place(around.low, 1); y <= place(around.high, 1); ++y) {
+          // Cells along z follow each other.
+          const std::size_t begin = starts[cell(x, y, place(around.low, 2))];
+          const std::size_t end = starts[cell(x, y, place(around.high, 2)) + 1];
+          for (std::size_t i = begin; i < end; ++i)
+            if (within(parts_[members[i]], around)) pairs.push_back({outer, members[i]});
+        }
+      }
+    }
+    return pairs;
   }
 
   [[nodiscard]] bool within(const Part& inner, const Part& outer) const {
@@ -765,7 +809,7 @@ class Mending {
       for (const std::uint32_t q : inner[p]) looked_up[q] = true;
     }
     std::vector<std::vector<std::uint32_t>> faces_of(parts_.size());
-    for (std::uint32_t f = 0; f < faces_.size(); ++f)
+    for (std::uint32_t f = 0; f < pieces_.size(); ++f)
       if (looked_up[part_of_[f]]) faces_of[part_of_[f]].push_back(f);
     for (std::uint32_t p = 0; p < parts_.size(); ++p) {
       if (inner[p].empty()) continue;
@@ -777,7 +821,7 @@ class Mending {
       for (const std::uint32_t f : faces_of[p]) {
         std::size_t first = rows;
         std::size_t last = 0;
-        for (const VertexIndex v : face_at(f).outline) {
+        for (const VertexIndex v : ring_at(f)) {
           first = std::min(first, row_of(points()[v][1]));
           last = std::max(last, row_of(points()[v][1]));
         }
@@ -786,14 +830,14 @@ class Mending {
       const auto is_inside = [&](VertexIndex vertex) {
         const PolyPoint& at = points()[vertex];
         bool inside = false;
-        for (const std::uint32_t f : in_row[row_of(at[1])]) inside = inside != ray_crosses(points(), face_at(f), at);
+        for (const std::uint32_t f : in_row[row_of(at[1])]) inside = inside != ray_crosses(points(), ring_at(f), at);
         return inside;
       };
       for (const std::uint32_t q : inner[p]) {
-        if (!is_inside(face_at(parts_[q].first).outline[0])) continue;
+        if (!is_inside(ring_at(parts_[q].first)[0])) continue;
         // One that sticks out is no cavity.
         std::vector<VertexIndex> others;
-        for (const std::uint32_t f : faces_of[q]) others.insert(others.end(), face_at(f).outline.begin(), face_at(f).outline.end());
+        for (const std::uint32_t f : faces_of[q]) others.insert(others.end(), ring_at(f).begin(), ring_at(f).end());
         std::sort(others.begin(), others.end());
         others.erase(std::unique(others.begin(), others.end()), others.end());
         if (!std::all_of(others.begin(), others.end(), is_inside)) continue;
@@ -837,23 +881,25 @@ class Mending {
       }
       if (body_of[p] == no_part) body_of[p] = add_body(p);
     }
-    std::vector<std::vector<MendedFace>> faces(bodies.size());
-    std::uint32_t number = 0;
-    for (PolyBody& body : scene_.bodies) {
-      for (PolyFace& face : body.faces) {
-        const std::uint32_t to = body_of[part_of_[number]];
-        if (pieces_[number].turned) std::reverse(face.outline.begin(), face.outline.end());
-        bodies[to].faces.push_back(std::move(face));
-        faces[to].push_back({pieces_[number].source, pieces_[number].turned});
-        ++number;
-      }
+    std::vector<std::uint32_t> starts(bodies.size() + 1);  // of the faces of each body
+    for (const std::uint32_t part : part_of_) ++starts[body_of[part] + 1];
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      bodies[b].faces.reserve(starts[b + 1]);
+      starts[b + 1] += starts[b];
+    }
+    result_.faces.resize(pieces_.size());
+    for (std::uint32_t f = 0; f < pieces_.size(); ++f) {
+      const std::uint32_t to = body_of[part_of_[f]];
+      Ring& ring = pieces_[f].ring;
+      if (pieces_[f].turned) std::reverse(ring.begin(), ring.end());
+      result_.faces[starts[to] + bodies[to].faces.size()] = {pieces_[f].source, pieces_[f].turned};
+      bodies[to].faces.push_back({std::move(ring), {}});
     }
     scene_.bodies = std::move(bodies);
-    mended_.reserve(pieces_.size());
-    for (const auto& of_body : faces) mended_.insert(mended_.end(), of_body.begin(), of_body.end());
+    pieces_ = {};
   }
 
-  std::vector<MendedFace> drop_unused() {
+  void drop_unused() {
     std::vector<bool> used(points().size(), false);
     for (const PolyBody& body : scene_.bodies)
       for (const PolyFace& face : body.faces)
@@ -866,12 +912,12 @@ class Mending {
       if (used[v]) scene_.vertices[count++] = scene_.vertices[v];
     }
     report_.dropped_vertices = points().size() - count - report_.merged_vertices - report_.joined_vertices;
+    if (count == points().size()) return;
     scene_.vertices.resize(count);
     for (PolyBody& body : scene_.bodies)
       for (PolyFace& face : body.faces)
         for (VertexIndex& v : face.outline) v = number[v];
     for (PolyWire& wire : scene_.wires) wire = {number[wire[0]], number[wire[1]]};
-    return std::move(mended_);
   }
 
   PolyScene& scene_;
@@ -882,8 +928,7 @@ class Mending {
   std::vector<Piece> pieces_;
   std::vector<std::uint32_t> part_of_;  // of each face
   std::vector<Part> parts_;
-  std::vector<const PolyFace*> faces_;
-  std::vector<MendedFace> mended_;
+  MendResult result_;
 };
 
 }  // namespace
@@ -898,7 +943,7 @@ void tidy_wires(std::vector<PolyWire>& wires, MendReport& report) {
   wires.erase(std::unique(wires.begin(), wires.end()), wires.end());
 }
 
-std::vector<MendedFace> mend(PolyScene& scene, const FileFaces& file, const MendOptions& options, MendReport& report) {
+MendResult mend(PolyScene& scene, const FileFaces& file, const MendOptions& options, MendReport& report) {
   return Mending(scene, file, options, report).run();
 }
 

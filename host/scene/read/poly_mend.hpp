@@ -40,7 +40,7 @@ struct FileFaces {
   std::vector<VertexIndex> corners;
   std::vector<std::uint32_t> starts = {0};  // of each face in corners, and where the last one ends
 
-  void add(const std::vector<VertexIndex>& outline) {
+  void add(std::span<const VertexIndex> outline) {
     corners.insert(corners.end(), outline.begin(), outline.end());
     starts.push_back(static_cast<std::uint32_t>(corners.size()));
   }
@@ -85,10 +85,16 @@ struct MendedFace {
   bool turned = false;
 };
 
+struct MendResult {
+  std::vector<MendedFace> faces;  // of the scene, counted over all bodies
+  // Faces of the file that have an edge of the scene in common that no third face has, both in one body; in the order of the edges. A
+  // face that was divided may be beside itself.
+  std::vector<std::array<std::uint32_t, 2>> neighbours;
+};
+
 // Of a scene of vertices and bodies without holes, indices in range and coordinates within the limit, nothing
-// else checked; `file` has the same vertices and faces. Result: for each face of the scene, counted over all bodies, where it
-// came from. What is left passes check_poly_scene but for the camera, unless no face and no wire is left.
-std::vector<MendedFace> mend(PolyScene& scene, const FileFaces& file, const MendOptions& options, MendReport& report);
+// else checked; `file` has the same vertices and faces. What is left passes check_poly_scene but for the camera, unless no face and no wire is left.
+MendResult mend(PolyScene& scene, const FileFaces& file, const MendOptions& options, MendReport& report);
 
 // Wires from their lower vertex, ascending, each once; those from a vertex to itself are left out and counted.
 void tidy_wires(std::vector<PolyWire>& wires, MendReport& report);

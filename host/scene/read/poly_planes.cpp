@@ -2,13 +2,14 @@
 #include "host/scene/read/poly_planes.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
-#include <numeric>
 
 #include "host/geometry/vector.hpp"
-#include "host/scene/model/edge_table.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -27,23 +28,20 @@ struct FilePlane {
 
 class Surfaces {
  public:
-  Surfaces(PolyScene& scene, const std::vector<MendedFace>& mended, const FileFaces& file, double tolerance)
+  Surfaces(PolyScene& scene, const MendResult& mended, const FileFaces& file, double tolerance)
       : scene_(scene), mended_(mended), file_(file), tolerance_(tolerance) {}
 
   void run() {
     measure();
     link();
-    std::vector<std::uint32_t> order;
-    for (std::uint32_t s = 0; s < planes_.size(); ++s)
-      if (in_scene_[s]) order.push_back(s);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return planes_[a].area > planes_[b].area; });
     group_of_.assign(planes_.size(), no_group);
     reached_.assign(planes_.size(), 0);
-    for (const std::uint32_t source : order)
+    scene_.surfaces.reserve(planes_.size());
+    for (const std::uint32_t source : by_area())
       if (group_of_[source] == no_group) gather(source);
-    scene_.surface_of.resize(mended_.size());
-    for (std::size_t f = 0; f < mended_.size(); ++f) scene_.surface_of[f] = group_of_[mended_[f].source];
+    scene_.surfaces.shrink_to_fit();
+    scene_.surface_of.resize(mended_.faces.size());
+    for (std::size_t f = 0; f < mended_.faces.size(); ++f) scene_.surface_of[f] = group_of_[mended_.faces[f].source];
   }
 
  private:
@@ -51,7 +49,7 @@ class Surfaces {
     planes_.resize(file_.size());
     in_scene_.assign(planes_.size(), false);
     std::vector<bool> turned(planes_.size(), false);
-    for (const MendedFace& face : mended_) {
+    for (const MendedFace& face : mended_.faces) {
       in_scene_[face.source] = true;
       turned[face.source] = face.turned;
     }
@@ -84,33 +82,63 @@ class Surfaces {
     return plane;
   }
 
-  // Faces of the file next to each other: by an edge of the scene that has two faces, both of one body.
-  void link() {
-    const EdgeTable edges(scene_);
-    std::vector<std::uint32_t> body_of;
-    body_of.reserve(mended_.size());
-    for (std::uint32_t b = 0; b < scene_.bodies.size(); ++b) body_of.insert(body_of.end(), scene_.bodies[b].faces.size(), b);
-    const auto for_pairs = [&](auto visit) {
-      for (std::size_t e = 0; e < edges.size(); ++e) {
-        const auto uses = edges.uses(e);
-        if (uses.size() != 2 || body_of[uses[0].face] != body_of[uses[1].face]) continue;
-        const std::uint32_t a = mended_[uses[0].face].source;
-        const std::uint32_t b = mended_[uses[1].face].source;
-        if (a != b) visit(a, b);
-      }
+  // The faces of the scene, the largest first; of equal ones the first in the file. Areas are not negative, so their bits ascend as
+  // they do: sorted by counting the upper half of these, 11 bits after 11; the lower half decides among the few that are left.
+  [[nodiscard]] std::vector<std::uint32_t> by_area() const {
+    struct Entry {
+      std::uint32_t key = 0;
+      std::uint32_t source = 0;
     };
+    std::vector<Entry> entries;
+    entries.reserve(planes_.size());
+    const auto bits_of = [this](std::uint32_t source) { return ~std::bit_cast<std::uint64_t>(planes_[source].area); };
+    for (std::uint32_t s = 0; s < planes_.size(); ++s)
+      if (in_scene_[s]) entries.push_back({static_cast<std::uint32_t>(bits_of(s) >> 32U), s});
+    constexpr unsigned digit = 11;
+    std::vector<Entry> sorted(entries.size());
+    for (unsigned shift = 0; shift < 32; shift += digit) {
+      std::array<std::uint32_t, (1U << digit) + 1> starts{};
+      const auto digit_of = [shift](const Entry& entry) { return (entry.key >> shift) & ((1U << digit) - 1); };
+      for (const Entry& entry : entries) ++starts[digit_of(entry) + 1];
+      for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
+      for (const Entry& entry : entries) sorted[starts[digit_of(entry)]++] = entry;
+      entries.swap(sorted);
+    }
+    std::vector<std::uint32_t> order;
+    order.reserve(entries.size());
+    for (const Entry& entry : entries) order.push_back(entry.source);
+    for (std::size_t first = 0; first < entries.size();) {
+      std::size_t last = first + 1;
+      while (last < entries.size() && entries[last].key == entries[first].key) ++last;
+      const auto begin = order.begin() + static_cast<std::ptrdiff_t>(first);
+      const auto end = order.begin() + static_cast<std::ptrdiff_t>(last);
+      const auto larger = [&](std::uint32_t a, std::uint32_t b) { return bits_of(a) != bits_of(b) ? bits_of(a) < bits_of(b) : a < b; };
+      if (last - first > 1 && !std::is_sorted(begin, end, larger)) std::sort(begin, end, larger);
+      first = last;
+    }
+    return order;
+  }
+
+  // Which faces of the file are next to each other.
+  void link() {
     starts_.assign(planes_.size() + 1, 0);
-    for_pairs([&](std::uint32_t a, std::uint32_t b) {
+    for (const auto& [a, b] : mended_.neighbours) {
+      if (a == b) continue;
       ++starts_[a + 1];
       ++starts_[b + 1];
-    });
+    }
     for (std::size_t s = 1; s < starts_.size(); ++s) starts_[s] += starts_[s - 1];
     next_to_.resize(starts_.back());
     std::vector<std::uint32_t> fill(starts_.begin(), starts_.end() - 1);
-    for_pairs([&](std::uint32_t a, std::uint32_t b) {
+    may_grow_.assign(planes_.size(), false);
+    for (const auto& [a, b] : mended_.neighbours) {
+      if (a == b) continue;
       next_to_[fill[a]++] = b;
       next_to_[fill[b]++] = a;
-    });
+      // Here both are near each other in memory; in the order of areas they are not.
+      if (!may_grow_[a] && joins(b, planes_[a])) may_grow_[a] = true;
+      if (!may_grow_[b] && joins(a, planes_[b])) may_grow_[b] = true;
+    }
   }
 
   [[nodiscard]] bool joins(std::uint32_t source, const FilePlane& plane) const {
@@ -162,7 +190,7 @@ class Surfaces {
     const auto group = static_cast<std::uint32_t>(scene_.surfaces.size());
     FilePlane plane = planes_[seed];
     members_.assign(1, seed);
-    if (plane.area > 0) {
+    if (plane.area > 0 && may_grow_[seed]) {
       flood(seed, plane, members_);
       constexpr int most_rounds = 16;
       for (int i = 0; i < most_rounds && members_.size() > 1; ++i) {
@@ -179,13 +207,14 @@ class Surfaces {
   }
 
   PolyScene& scene_;
-  const std::vector<MendedFace>& mended_;
+  const MendResult& mended_;
   const FileFaces& file_;
   double tolerance_;
   std::vector<FilePlane> planes_;  // of the faces of the file
   std::vector<bool> in_scene_;
   std::vector<std::uint32_t> starts_;  // of each face of the file in next_to_
   std::vector<std::uint32_t> next_to_;
+  std::vector<bool> may_grow_;  // whether a neighbour of the face is in its plane
   std::vector<std::uint32_t> group_of_;
   std::vector<std::uint32_t> reached_;  // by each face of the file: in which round
   std::uint32_t round_ = 0;
@@ -195,7 +224,7 @@ class Surfaces {
 
 }  // namespace
 
-void find_surfaces(PolyScene& scene, const std::vector<MendedFace>& mended, const FileFaces& file, double tolerance) {
+void find_surfaces(PolyScene& scene, const MendResult& mended, const FileFaces& file, double tolerance) {
   Surfaces(scene, mended, file, tolerance).run();
 }
 

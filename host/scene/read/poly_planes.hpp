@@ -18,6 +18,6 @@
 namespace sightline::scene {
 
 // Fills in scene.surfaces and scene.surface_of. `tolerance` in the unit of the file.
-void find_surfaces(PolyScene& scene, const std::vector<MendedFace>& mended, const FileFaces& file, double tolerance);
+void find_surfaces(PolyScene& scene, const MendResult& mended, const FileFaces& file, double tolerance);
 
 }  // namespace sightline::scene

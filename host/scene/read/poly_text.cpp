@@ -2,6 +2,7 @@
 #include "host/scene/read/poly_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "host/base/number.hpp"
@@ -15,13 +16,17 @@ constexpr bool is_blank(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-// Where a comment begins: not within 1.#QNAN, as some programs write what is no number.
-std::size_t comment_in(std::string_view line) {
-  std::size_t at = line.find('#');
-  while (at != std::string_view::npos && at >= 2 && line.substr(at - 2, 2) == "1." && at + 1 < line.size() &&
-         std::string_view("IQSiqs").find(line[at + 1]) != std::string_view::npos)
-    at = line.find('#', at + 1);
-  return at;
+// Of each character whether a field, or what a splitter passes over within one, ends before it.
+constexpr std::array<bool, 256> stops = [] {
+  std::array<bool, 256> result{};
+  for (std::size_t c = 0; c < result.size(); ++c) result[c] = is_blank(static_cast<char>(c)) || c == '#';
+  return result;
+}();
+
+// Whether a # at `at`, before `end`, begins a comment: not within 1.#QNAN, as some programs write what is no number.
+bool begins_comment(const char* line, const char* at, const char* end) {
+  const bool behind_one = at - line >= 2 && at[-2] == '1' && at[-1] == '.';
+  return !(behind_one && at + 1 < end && std::string_view("IQSiqs").find(at[1]) != std::string_view::npos);
 }
 
 }  // namespace
@@ -33,12 +38,7 @@ bool PolyLines::next() {
     number_ = next_number_;
     bool continues = true;
     while (continues && at_ < text_.size()) {
-      if (newline_ <= at_) newline_ = std::min(text_.find('\n', at_), text_.size());
-      std::string_view line = text_.substr(at_, newline_ - at_);
-      if (const std::size_t end = line.find('\r'); end != std::string_view::npos && end + 1 < line.size())
-        line = line.substr(0, end);
-      at_ += line.size() + 1;
-      continues = split(line);
+      continues = split_line();
       ++next_number_;
     }
     if (!fields_.empty()) return true;
@@ -47,15 +47,32 @@ bool PolyLines::next() {
   return false;
 }
 
-bool PolyLines::split(std::string_view line) {
-  line = line.substr(0, comment_in(line));
-  for (std::size_t at = 0; at < line.size(); ++at) {
-    if (is_blank(line[at])) continue;
-    const std::size_t begin = at;
-    while (at < line.size() && !is_blank(line[at])) ++at;
-    fields_.push_back(line.substr(begin, at - begin));
+bool PolyLines::split_line() {
+  const char* const line = text_.data() + at_;
+  const char* const end = text_.data() + text_.size();
+  // An LF ends the line, and so does a CR that is not before one.
+  const auto ends_line = [end](const char* c) { return c == end || *c == '\n' || (*c == '\r' && c + 1 != end && c[1] != '\n'); };
+  const char* at = line;
+  bool comment = false;
+  while (!ends_line(at) && !comment) {
+    if (is_blank(*at)) {
+      ++at;
+      continue;
+    }
+    const char* const begin = at;
+    while (true) {
+      while (at != end && !stops[static_cast<unsigned char>(*at)]) ++at;
+      if (at == end || *at != '#') break;
+      comment = begins_comment(line, at, end);
+      if (comment) break;
+      ++at;
+    }
+    if (at != begin) fields_.emplace_back(begin, static_cast<std::size_t>(at - begin));
   }
-  if (line.empty() || fields_.empty() || !fields_.back().ends_with('\\')) return false;
+  const bool empty = at == line;
+  while (!ends_line(at)) ++at;
+  at_ = static_cast<std::size_t>(at - text_.data()) + 1;
+  if (empty || fields_.empty() || !fields_.back().ends_with('\\')) return false;
   fields_.back().remove_suffix(1);
   if (fields_.back().empty()) fields_.pop_back();
   return true;

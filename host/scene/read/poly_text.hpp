@@ -37,13 +37,12 @@ class PolyLines {
   [[nodiscard]] base::Error unexpected(std::string_view found, const std::string& expected) const;
 
  private:
-  // Adds the fields of one line; true if the next line continues it.
-  bool split(std::string_view line);
+  // Adds the fields of the line at at_, and passes over it; true if the next line continues it.
+  bool split_line();
 
   std::string_view text_;
   std::string source_;
-  std::size_t at_ = 0;       // in text_, where the next line begins
-  std::size_t newline_ = 0;  // the first LF from there on, or the end; below at_: to be found
+  std::size_t at_ = 0;  // in text_, where the next line begins
   std::vector<std::string_view> fields_;
   std::size_t taken_ = 0;
   std::size_t next_number_ = 1;

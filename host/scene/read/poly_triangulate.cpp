@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <span>
 
 #include "host/geometry/predicates.hpp"
 
@@ -86,7 +87,7 @@ bool join(Corners& ring, const Corners& hole, const std::vector<Corners>& holes)
   return false;
 }
 
-Corners corners_of(const std::vector<PolyPoint>& vertices, const std::vector<VertexIndex>& ring,
+Corners corners_of(const std::vector<PolyPoint>& vertices, std::span<const VertexIndex> ring,
                    std::size_t axis, bool turned) {
   Corners corners;
   for (const VertexIndex v : ring) corners.push_back({v, geometry::flattened(vertices[v], axis)});
@@ -168,7 +169,7 @@ std::optional<std::vector<std::array<VertexIndex, 3>>> triangulate_along(std::si
 }  // namespace
 
 std::array<std::int64_t, 3> ring_normal(const std::vector<PolyPoint>& vertices,
-                                        const std::vector<VertexIndex>& ring) {
+                                        std::span<const VertexIndex> ring) {
   geometry::Vector3 sum{};
   for (std::size_t i = 2; i < ring.size(); ++i) {
     const auto part = geometry::normal_of(vertices[ring[0]], vertices[ring[i - 1]], vertices[ring[i]]);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "host/scene/model/poly_scene.hpp"
@@ -18,7 +19,7 @@ inline constexpr std::size_t most_split_vertices_with_holes = 1024;
 // Twice the area vector of a ring (each component below 2^39 if the ring is simple); also of one that is not
 // planar.
 [[nodiscard]] std::array<std::int64_t, 3> ring_normal(const std::vector<PolyPoint>& vertices,
-                                                      const std::vector<VertexIndex>& ring);
+                                                      std::span<const VertexIndex> ring);
 
 // The triangles turn as the outline does. Empty if the face, looked at along the largest component of its
 // ring_normal or another one that is not far below it, is not a simple ring with simple holes in it, or has too many vertices.

@@ -2,7 +2,9 @@
 #include "host/scene/read/precision.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace sightline::scene {
@@ -30,6 +32,12 @@ double size_of(std::span<const std::array<double, 3>> vertices) {
     size = std::max(size, high - low);
   }
   return size;
+}
+
+// That of std::ilogb.
+int binary_exponent(double value) {
+  const auto biased = static_cast<int>(std::bit_cast<std::uint64_t>(value) >> 52U & 0x7ffU);
+  return biased == 0 ? std::ilogb(value) : biased - 1023;
 }
 
 double spacing_at(double largest, int mantissa_bits) {
@@ -68,7 +76,7 @@ void TextPrecision::add(std::string_view written, double value) {
     }
   }
   const int last_decimal = std::max(exponent - decimals, -400);
-  Seen& seen = seen_[static_cast<std::size_t>(std::ilogb(value) - lowest)];
+  Seen& seen = seen_[static_cast<std::size_t>(binary_exponent(value) - lowest)];
   seen.last_decimal = std::min(seen.last_decimal, last_decimal);
   seen.digits = std::max(seen.digits, digits);
   const int decade = last_decimal + digits;

@@ -51,22 +51,29 @@ base::Result<PolyMesh> read_binary_stl(std::string_view bytes, std::string_view 
   if (rest > 0) mesh.notes.push_back(std::to_string(rest) + (rest == 1 ? " byte" : " bytes") + " after the last triangle");
   mesh.bodies.emplace_back().faces.reserve(static_cast<std::size_t>(triangles));
   VertexPool<double> pool(mesh.vertices);
-  std::size_t at = stl_triangles_at;
-  for (std::uint64_t t = 0; t < triangles; ++t, at += stl_triangle_bytes) {
-    PolyFace face;
-    face.outline.reserve(3);
+  pool.reserve(static_cast<std::size_t>(triangles / 2 + 2));  // of a closed surface about half as many
+  const auto place_of = [](std::uint64_t triangle, std::size_t corner) {
+    return static_cast<std::size_t>(stl_triangles_at + triangle * stl_triangle_bytes + 12 * (corner + 1));
+  };
+  const auto point_at = [&bytes](std::size_t place) {
+    std::array<double, 3> point{};
+    for (std::size_t a = 0; a < 3; ++a) point[a] = std::bit_cast<float>(little_endian_32(bytes, place + 4 * a));
+    return point;
+  };
+  constexpr std::uint64_t fetched_ahead = 6;  // triangles
+  for (std::uint64_t t = 0; t < triangles; ++t) {
+    Ring& outline = mesh.bodies[0].faces.emplace_back().outline;
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      std::array<double, 3> point{};
-      for (std::size_t a = 0; a < 3; ++a) {
-        const std::size_t place = at + 12 * (corner + 1) + 4 * a;
-        point[a] = std::bit_cast<float>(little_endian_32(bytes, place));
-        if (!std::isfinite(point[a]) && !mesh.flaw)
-          mesh.flaw = error(place, "found a coordinate of triangle " + std::to_string(t) + " that is no finite number", "a number");
-      }
-      face.outline.push_back(pool.add(point));
+      if (t + fetched_ahead < triangles) pool.fetch(point_at(place_of(t + fetched_ahead, corner)));
+      const std::size_t place = place_of(t, corner);
+      const std::array<double, 3> point = point_at(place);
+      for (std::size_t a = 0; a < 3 && !mesh.flaw; ++a)
+        if (!std::isfinite(point[a]))
+          mesh.flaw = error(place + 4 * a, "found a coordinate of triangle " + std::to_string(t) + " that is no finite number", "a number");
+      outline.push_back(pool.add(point));
     }
-    mesh.bodies[0].faces.push_back(std::move(face));
   }
+  if (2 * mesh.vertices.size() < mesh.vertices.capacity()) mesh.vertices.shrink_to_fit();
   mesh.precision = float32_precision(mesh.vertices);
   return mesh;
 }

@@ -3,6 +3,7 @@
 #include "host/scene/cells/bsp/faces.hpp"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "host/geometry/predicates.hpp"
@@ -115,7 +116,7 @@ class FaceCutter {
     return geometry::plane_through(point(corner + count - 1), point(corner), point(corner + 1));
   }
 
-  void add_ring(const std::vector<VertexIndex>& ring, HalfSpace behind, std::vector<FaceSide>& sides) {
+  void add_ring(std::span<const VertexIndex> ring, HalfSpace behind, std::vector<FaceSide>& sides) {
     geometry::Vector3 normal = planes()[behind.plane].normal;
     if (behind.turned) normal = geometry::negated(normal);
     const std::size_t axis = geometry::dominant_axis(normal);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <span>
 #include <utility>
 
 namespace sightline::scene {
@@ -22,7 +23,7 @@ void for_each_ring(const PolyFace& face, Visit visit) {
 
 template <class Visit>
 void for_each_side(const PolyScene& scene, const PolyFace& face, Visit visit) {
-  for_each_ring(face, [&](const std::vector<VertexIndex>& ring) {
+  for_each_ring(face, [&](std::span<const VertexIndex> ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       visit(scene.vertices[ring[i]], scene.vertices[ring[i + 1 == ring.size() ? 0 : i + 1]]);
     }

@@ -72,7 +72,7 @@ class RandomScene {
 
  private:
   using Point = scene::PolyPoint;
-  using Ring = std::vector<scene::VertexIndex>;
+  using Ring = scene::Ring;
 
   void add_body() {
     switch (dice_.below(8)) {

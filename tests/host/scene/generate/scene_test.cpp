@@ -30,7 +30,7 @@ struct Counts {
 
 Counts counts_of(const PolyScene& scene) {
   std::set<std::pair<VertexIndex, VertexIndex>> edges;
-  const auto add = [&](const std::vector<VertexIndex>& ring) {
+  const auto add = [&](const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i)
       edges.insert(std::minmax(ring[i], ring[(i + 1) % ring.size()]));
   };

@@ -54,7 +54,7 @@ using Outlines = std::vector<std::vector<VertexIndex>>;
 Outlines outlines(const base::Result<PolyMesh>& mesh) {
   Outlines result;
   if (mesh)
-    for (const PolyFace& face : mesh->bodies.at(0).faces) result.push_back(face.outline);
+    for (const PolyFace& face : mesh->bodies.at(0).faces) result.emplace_back(face.outline.begin(), face.outline.end());
   return result;
 }
 

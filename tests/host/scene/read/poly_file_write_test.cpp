@@ -62,7 +62,7 @@ TEST(WritePoly, FacesWithHolesBecomeTriangles) {
   EXPECT_EQ(off.vertices, scene.vertices);
   const auto area = [](const PolyScene& s) {
     double sum = 0;
-    const auto ring_area = [&](const std::vector<VertexIndex>& ring) {
+    const auto ring_area = [&](const Ring& ring) {
       double n[3]{};
       for (std::size_t i = 0; i < ring.size(); ++i) {
         const PolyPoint& p = s.vertices[ring[i]];
@@ -86,7 +86,7 @@ TEST(WritePoly, FacesWithHolesBecomeTriangles) {
 TEST(WritePoly, AFaceOfTooManyVerticesWithAHoleIsAnError) {
   PolyScene scene;
   PolyFace face;
-  const auto add = [&](std::vector<VertexIndex>& ring, std::int32_t x, std::int32_t y) {
+  const auto add = [&](Ring& ring, std::int32_t x, std::int32_t y) {
     ring.push_back(static_cast<VertexIndex>(scene.vertices.size()));
     scene.vertices.push_back({x, y, 0});
   };
