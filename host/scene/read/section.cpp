@@ -20,7 +20,6 @@ namespace sightline::scene {
 namespace {
 
 using geometry::RealVector;
-using Ring = std::vector<VertexIndex>;
 using EdgeKey = std::uint64_t;  // of two vertices, the lower one in the upper half
 
 // Takes away what lies before one plane of a mesh, and closes the solids.

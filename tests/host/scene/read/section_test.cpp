@@ -40,7 +40,7 @@ double sum_over_rings(const PolyScene& scene, const Measure& measure, std::optio
     for (const PolyFace& face : body.faces) {
       const std::size_t n = number++;
       if (material && (scene.material_of.empty() || scene.material_of[n] != *material)) continue;
-      std::vector<std::vector<VertexIndex>> rings = face.holes;
+      std::vector<Ring> rings = face.holes;
       rings.push_back(face.outline);
       for (const auto& ring : rings)
         for (std::size_t i = 2; i < ring.size(); ++i)
