@@ -12,6 +12,7 @@
 #include "host/scene/check/cell_scene.hpp"
 #include "host/scene/check/poly_scene.hpp"
 #include "host/scene/generate/scene.hpp"
+#include "host/scene/heights/grid_formats.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
 #include "host/scene/read/builtin.hpp"
 #include "host/scene/read/cell_complex_file.hpp"
@@ -86,7 +87,7 @@ base::Error unknown_format(const SceneFile& file) {
   const std::string_view rest = std::string_view(file.text).substr(std::min(file.text.find_first_not_of(" \t\r\n"), file.text.size()));
   const bool numbers = !rest.empty() && std::string_view("0123456789+-.#").find(rest.front()) != std::string_view::npos;
   return {file.name, "", "found no known format", "STL, PLY, OFF, OBJ, glTF, 3MF or a scene as JSON",
-          numbers ? "a grid of heights is drawn by: sightline draw skala " + file.name : "save it in one of these"};
+          numbers || grid_format_of(file.text, file.name) != nullptr ? "a grid of heights is drawn by: sightline draw skala " + file.name : "save it in one of these"};
 }
 
 bool begins_as_json(std::string_view text) {

@@ -40,6 +40,12 @@ TEST(LoadScene, FindsBuiltInScenes) {
   EXPECT_EQ(loaded->scene, poly_scene_of(*loaded->cells));
 }
 
+TEST(LoadScene, AGridOfHeightsIsSentToItsCommand) {
+  const std::string remedy = "a grid of heights is drawn by: sightline draw skala heights";
+  for (const std::string text : {"1 2 3\n4 5 6\n", "ncols 2\nnrows 2\n", "DSAA\n2 2\n", "DSBB"})
+    EXPECT_NE(error_of({.name = "heights", .text = text}).find(remedy), std::string::npos) << text;
+}
+
 TEST(LoadScene, MakesGeneratedScenes) {
   for (const auto& [name, expected] :
        {std::pair("boxes-20", generate_boxes(20)), std::pair("town-7-5", generate_town(7, 5)),
