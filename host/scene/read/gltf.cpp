@@ -63,18 +63,11 @@ base::Result<PolyMesh> read_glb(std::string_view bytes, std::string_view source,
 namespace sightline::scene {
 namespace {
 
-enum Mode : std::uint8_t {
-  points = 0,
-  lines = 1,
-  line_loop = 2,
-  line_strip = 3,
-  triangles = 4,
-  triangle_strip = 5,
-  triangle_fan = 6
-};
+// How indices make triangles, lines and points.
+enum class GltfMode : std::uint8_t { points, lines, line_loop, line_strip, triangles, triangle_strip, triangle_fan };
 
 // Extensions that say how a mesh looks, not where it is, and those that are read.
-bool leaves_geometry(std::string_view extension) {
+bool is_harmless_extension(std::string_view extension) {
   for (const std::string_view family : {"KHR_materials_", "KHR_texture_", "KHR_lights_", "EXT_texture_"})
     if (extension.starts_with(family)) return true;
   for (const std::string_view name : {"KHR_draco_mesh_compression", "KHR_mesh_quantization", "KHR_xmp", "KHR_xmp_json_ld",
@@ -83,7 +76,7 @@ bool leaves_geometry(std::string_view extension) {
   return false;
 }
 
-std::string counted(std::size_t count, const std::string& one, const std::string& several) {
+std::string count_of(std::size_t count, const std::string& one, const std::string& several) {
   return std::to_string(count) + " " + (count == 1 ? one : several);
 }
 
@@ -103,12 +96,12 @@ class GltfReader {
     auto mesh = meshes_.take();
     if (!mesh) return mesh;
     if (thin_ > 0) mesh->notes.push_back(std::to_string(thin_) + " points and lines");
-    if (left_over_ > 0) mesh->notes.push_back(counted(left_over_, "vertex", "vertices") + " beyond the last whole triangle");
-    if (beyond_ > 0) mesh->notes.push_back(counted(beyond_, "face", "faces") + " with a vertex that is not there");
+    if (left_over_ > 0) mesh->notes.push_back(count_of(left_over_, "vertex", "vertices") + " beyond the last whole triangle");
+    if (beyond_ > 0) mesh->notes.push_back(count_of(beyond_, "face", "faces") + " with a vertex that is not there");
     const base::Json* const skins = document_.root().find("skins");
-    if (skins != nullptr && skins->size() > 0) mesh->notes.push_back(counted(skins->size(), "skin", "skins"));
-    if (morphed_ > 0) mesh->notes.push_back("morph targets of " + counted(morphed_, "mesh", "meshes"));
-    if (instanced_ > 0) mesh->notes.push_back("instances of " + counted(instanced_, "node", "nodes"));
+    if (skins != nullptr && skins->size() > 0) mesh->notes.push_back(count_of(skins->size(), "skin", "skins"));
+    if (morphed_ > 0) mesh->notes.push_back("morph targets of " + count_of(morphed_, "mesh", "meshes"));
+    if (instanced_ > 0) mesh->notes.push_back("instances of " + count_of(instanced_, "node", "nodes"));
     mesh->unit = "m";
     mesh->vertical = 1;
     return mesh;
@@ -125,7 +118,7 @@ class GltfReader {
     const base::Json* const required = document_.root().find("extensionsRequired");
     if (required == nullptr) return;
     for (const base::Json& name : required->elements()) {
-      if (name.text() == nullptr || leaves_geometry(*name.text())) continue;
+      if (name.text() == nullptr || is_harmless_extension(*name.text())) continue;
       document_.fail("extensionsRequired", "found " + quoted_excerpt(*name.text()), "no such extension of the geometry",
                      "export without it");
     }
@@ -264,7 +257,7 @@ class GltfReader {
   }
 
   void read_primitive(const GltfEntry& entry, LocalMesh& mesh) {
-    const auto mode = document_.whole(entry, "mode", triangle_fan, triangles);
+    const auto mode = document_.whole(entry, "mode", 6, 4);
     const base::Json* const attributes = entry.json->find("attributes");
     if (!mode) return;
     if (attributes == nullptr || attributes->find("POSITION") == nullptr) return;  // nothing to be drawn: 3.7.2.1
@@ -293,38 +286,41 @@ class GltfReader {
         return;
       }
     }
-    add_faces(indices, *position, static_cast<Mode>(*mode), mesh);
+    add_faces(indices, *position, static_cast<GltfMode>(*mode), mesh);
     if (!document_.error()) add_vertices(*position, mesh);
   }
 
   // Room for what one primitive has; false after an error.
   bool take_corners(std::uint64_t count, const std::string& place) {
-    if (count <= most_corners - corners_) {
+    if (count <= most_placed_corners - corners_) {
       corners_ += count;
       return true;
     }
-    document_.fail(place, "found more than " + std::to_string(most_corners) + " corners of faces", "", "export fewer faces");
+    document_.fail(place, "found more than " + std::to_string(most_placed_corners) + " corners of faces", "",
+                   "export fewer faces");
     return false;
   }
 
-  void add_faces(const std::optional<GltfAccessor>& indices, const GltfAccessor& position, Mode mode, LocalMesh& mesh) {
+  void add_faces(const std::optional<GltfAccessor>& indices, const GltfAccessor& position, GltfMode mode, LocalMesh& mesh) {
     const std::uint64_t count = indices ? indices->count : position.count;
-    if (mode < triangles) {
-      thin_ += mode == lines ? count / 2 : mode == line_strip ? count - std::min<std::uint64_t>(count, 1) : count;
+    if (mode < GltfMode::triangles) {
+      thin_ += mode == GltfMode::lines        ? count / 2
+               : mode == GltfMode::line_strip ? count - std::min<std::uint64_t>(count, 1)
+                                              : count;
       return;
     }
-    const std::uint64_t faces = mode == triangles ? count / 3 : count - std::min<std::uint64_t>(count, 2);
-    if (mode == triangles) left_over_ += count % 3;
+    const std::uint64_t faces = mode == GltfMode::triangles ? count / 3 : count - std::min<std::uint64_t>(count, 2);
+    if (mode == GltfMode::triangles) left_over_ += count % 3;
     if (!take_corners(3 * faces, mesh.place)) return;
     for (std::uint64_t f = 0; f < faces; ++f) {
       std::array<std::uint64_t, 3> face{f, f + 1, f + 2};
-      if (mode == triangles) face = {3 * f, 3 * f + 1, 3 * f + 2};
-      if (mode == triangle_strip && f % 2 == 1) std::swap(face[0], face[1]);
-      if (mode == triangle_fan) face[0] = 0;
+      if (mode == GltfMode::triangles) face = {3 * f, 3 * f + 1, 3 * f + 2};
+      if (mode == GltfMode::triangle_strip && f % 2 == 1) std::swap(face[0], face[1]);
+      if (mode == GltfMode::triangle_fan) face[0] = 0;
       if (indices)
         for (std::uint64_t& v : face) v = indices->whole(v);
       // Strips are joined by such triangles.
-      if (mode == triangle_strip && (face[0] == face[1] || face[1] == face[2] || face[2] == face[0])) continue;
+      if (mode == GltfMode::triangle_strip && (face[0] == face[1] || face[1] == face[2] || face[2] == face[0])) continue;
       if (std::any_of(face.begin(), face.end(), [&](std::uint64_t v) { return v >= position.count; })) {
         ++beyond_;
         continue;
@@ -369,7 +365,7 @@ class GltfReader {
     const auto whose = id ? document_.entry_of("bufferViews", draco, "bufferView") : std::nullopt;
     const auto bytes = whose ? document_.view(*whose) : std::nullopt;
     if (!bytes) return;
-    auto decoded = read_draco(*bytes, static_cast<std::uint32_t>(*id), (most_corners - corners_) / 3);
+    auto decoded = read_draco(*bytes, static_cast<std::uint32_t>(*id), (most_placed_corners - corners_) / 3);
     if (!decoded) {
       document_.fail(draco.place, decoded.error().found, decoded.error().expected, decoded.error().remedy);
       return;
@@ -403,50 +399,50 @@ struct Glb {
   std::string_view binary;
 };
 
-std::uint32_t word_at(std::string_view bytes, std::size_t at) {
+std::uint32_t glb_word(std::string_view bytes, std::size_t at) {
   std::uint32_t word = 0;
   for (std::size_t i = 0; i < 4; ++i) word |= std::uint32_t{static_cast<std::uint8_t>(bytes[at + i])} << (8 * i);
   return word;
 }
 
-base::Error at_byte(std::size_t byte, std::string found, std::string expected, std::string remedy) {
+base::Error at_glb_byte(std::size_t byte, std::string found, std::string expected, std::string remedy) {
   return {"", "byte " + std::to_string(byte), std::move(found), std::move(expected), std::move(remedy)};
 }
 
 base::Result<Glb> glb_of(std::string_view bytes) {
-  constexpr const char* export_again = "the file is damaged: export it again";
   constexpr std::size_t header = 12;
   constexpr std::size_t json_at = header + 8;
   constexpr std::uint32_t json_type = 0x4e4f534a;
   constexpr std::uint32_t binary_type = 0x004e4942;
   if (bytes.size() < json_at)
-    return at_byte(bytes.size(), "found the end of the file", "the 20 bytes of a GLB header", export_again);
-  if (word_at(bytes, 4) != 2) {
-    return at_byte(4, "found version " + std::to_string(word_at(bytes, 4)), "2", "convert it to glTF 2.0");
+    return at_glb_byte(bytes.size(), "found the end of the file", "the 20 bytes of a GLB header", export_again);
+  if (glb_word(bytes, 4) != 2) {
+    return at_glb_byte(4, "found version " + std::to_string(glb_word(bytes, 4)), "2", "convert it to glTF 2.0");
   }
-  if (word_at(bytes, 8) != bytes.size()) {
-    return at_byte(8, "found a length of " + std::to_string(word_at(bytes, 8)),
-                   "the " + std::to_string(bytes.size()) + " bytes that the file has", export_again);
+  if (glb_word(bytes, 8) != bytes.size()) {
+    return at_glb_byte(8, "found a length of " + std::to_string(glb_word(bytes, 8)),
+                       "the " + std::to_string(bytes.size()) + " bytes that the file has", export_again);
   }
-  if (word_at(bytes, header + 4) != json_type)
-    return at_byte(header + 4, "found no JSON", "the chunk \"JSON\" first", export_again);
+  if (glb_word(bytes, header + 4) != json_type)
+    return at_glb_byte(header + 4, "found no JSON", "the chunk \"JSON\" first", export_again);
   Glb glb;
   for (std::size_t at = header; at + 8 <= bytes.size();) {
-    const std::uint32_t length = word_at(bytes, at);
+    const std::uint32_t length = glb_word(bytes, at);
     const std::size_t left = bytes.size() - at - 8;
     if (length > left)
-      return at_byte(at, "found a chunk of " + std::to_string(length) + " bytes",
-                     "at most the " + std::to_string(left) + " that are left", export_again);
+      return at_glb_byte(at, "found a chunk of " + std::to_string(length) + " bytes",
+                         "at most the " + std::to_string(left) + " that are left", export_again);
     const std::string_view chunk = bytes.substr(at + 8, length);
     if (at == header) glb.json = chunk;
-    if (at > header && word_at(bytes, at + 4) == binary_type && glb.binary.empty()) glb.binary = chunk;
+    if (at > header && glb_word(bytes, at + 4) == binary_type && glb.binary.empty()) glb.binary = chunk;
     at += 8 + length;
   }
   while (glb.json.ends_with('\0')) glb.json.remove_suffix(1);
   return glb;
 }
 
-base::Result<PolyMesh> read(std::string_view json, std::string_view binary, std::string_view source, const std::string& folder) {
+base::Result<PolyMesh> read_parts(std::string_view json, std::string_view binary, std::string_view source,
+                                  const std::string& folder) {
   const auto root = base::parse_json(json, source);
   auto mesh = root ? GltfReader(*root, binary, folder).run() : base::Result<PolyMesh>(root.error());
   if (mesh) {
@@ -461,12 +457,12 @@ base::Result<PolyMesh> read(std::string_view json, std::string_view binary, std:
 }  // namespace
 
 base::Result<PolyMesh> read_gltf(std::string_view text, std::string_view source, const std::string& folder) {
-  return read(text, "", source, folder);
+  return read_parts(text, "", source, folder);
 }
 
 base::Result<PolyMesh> read_glb(std::string_view bytes, std::string_view source, const std::string& folder) {
   const auto glb = glb_of(bytes);
-  if (glb) return read(glb->json, glb->binary, source, folder);
+  if (glb) return read_parts(glb->json, glb->binary, source, folder);
   base::Error error = glb.error();
   error.file = source;
   return error;

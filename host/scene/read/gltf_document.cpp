@@ -13,38 +13,44 @@
 namespace sightline::scene {
 namespace {
 
-constexpr const char* export_again = "the file is damaged: export it again";
-constexpr std::uint64_t most_number = std::uint64_t{1} << 53;
+constexpr std::uint64_t most_json_number = std::uint64_t{1} << 53;
 constexpr std::uint64_t most_zeros = 10'000'000;               // elements of an accessor without a buffer
 constexpr std::uint64_t most_sparse = 100'000'000;             // of all accessors
 constexpr std::size_t most_file_bytes = std::size_t{2} << 30;  // of all files that are named
 
-enum ComponentType : std::uint16_t { int8 = 5120, uint8 = 5121, int16 = 5122, uint16 = 5123, uint32 = 5125, float32 = 5126 };
+enum GltfComponent : std::uint16_t {
+  gltf_int8 = 5120,
+  gltf_uint8 = 5121,
+  gltf_int16 = 5122,
+  gltf_uint16 = 5123,
+  gltf_uint32 = 5125,
+  gltf_float32 = 5126
+};
 
 // 0: no component type.
-std::size_t size_of(std::uint64_t type) {
+std::size_t component_size(std::uint64_t type) {
   switch (type) {
-    case int8:
-    case uint8: return 1;
-    case int16:
-    case uint16: return 2;
-    case uint32:
-    case float32: return 4;
+    case gltf_int8:
+    case gltf_uint8: return 1;
+    case gltf_int16:
+    case gltf_uint16: return 2;
+    case gltf_uint32:
+    case gltf_float32: return 4;
     default: return 0;
   }
 }
 
-std::uint32_t word_at(std::string_view bytes, std::size_t at, std::size_t size) {
+std::uint32_t component_word(std::string_view bytes, std::size_t at, std::size_t size) {
   std::uint32_t word = 0;
   for (std::size_t i = 0; i < size; ++i) word |= std::uint32_t{static_cast<std::uint8_t>(bytes[at + i])} << (8 * i);
   return word;
 }
 
-double number_of(std::uint32_t word, unsigned type) {
+double component_value(std::uint32_t word, unsigned type) {
   switch (type) {
-    case int8: return static_cast<std::int8_t>(word);
-    case int16: return static_cast<std::int16_t>(word);
-    case float32: return static_cast<double>(std::bit_cast<float>(word));
+    case gltf_int8: return static_cast<std::int8_t>(word);
+    case gltf_int16: return static_cast<std::int16_t>(word);
+    case gltf_float32: return static_cast<double>(std::bit_cast<float>(word));
     default: return word;
   }
 }
@@ -93,26 +99,26 @@ std::optional<std::string> base64_decoded(std::string_view text) {
 
 double GltfAccessor::value(std::uint64_t i, std::size_t c) const {
   std::uint32_t word = 0;
-  if (!bytes.empty()) word = word_at(bytes, i * stride + c * size, size);
+  if (!bytes.empty()) word = component_word(bytes, i * stride + c * size, size);
   if (sparse > 0) {
     std::uint64_t low = 0;
     std::uint64_t high = sparse;
     while (low < high) {
       const std::uint64_t middle = (low + high) / 2;
-      if (word_at(places, middle * place_size, place_size) < i)
+      if (component_word(places, middle * place_size, place_size) < i)
         low = middle + 1;
       else
         high = middle;
     }
-    if (low < sparse && word_at(places, low * place_size, place_size) == i)
-      word = word_at(values, (low * components + c) * size, size);
+    if (low < sparse && component_word(places, low * place_size, place_size) == i)
+      word = component_word(values, (low * components + c) * size, size);
   }
-  const double number = number_of(word, type);
+  const double number = component_value(word, type);
   return unit == 1 ? number : std::max(number * unit, -1.0);
 }
 
 std::uint64_t GltfAccessor::whole(std::uint64_t i) const {
-  if (sparse == 0 && !bytes.empty()) return word_at(bytes, i * stride, size);
+  if (sparse == 0 && !bytes.empty()) return component_word(bytes, i * stride, size);
   return static_cast<std::uint64_t>(value(i, 0));
 }
 
@@ -231,7 +237,7 @@ std::optional<std::string> GltfDocument::bytes_of(const std::string& uri, const 
 }
 
 std::optional<std::string_view> GltfDocument::buffer(const GltfEntry& entry) {
-  const auto length = whole(entry, "byteLength", most_number);
+  const auto length = whole(entry, "byteLength", most_json_number);
   if (!length) return std::nullopt;
   std::string_view bytes;
   const base::Json* const uri = entry.json->find("uri");
@@ -298,14 +304,14 @@ bool GltfDocument::read_sparse(const GltfEntry& sparse, GltfAccessor& accessor) 
     return false;
   }
   const GltfEntry where{indices, sparse.place + ".indices"};
-  const auto type = whole(where, "componentType", float32);
+  const auto type = whole(where, "componentType", gltf_float32);
   if (!type) return false;
-  if (*type != uint8 && *type != uint16 && *type != uint32) {
+  if (*type != gltf_uint8 && *type != gltf_uint16 && *type != gltf_uint32) {
     fail(where.place + ".componentType", "found " + std::to_string(*type), "5121, 5123 or 5125");
     return false;
   }
   accessor.place_type = static_cast<unsigned>(*type);
-  accessor.place_size = size_of(*type);
+  accessor.place_size = component_size(*type);
   const auto places = part_of_view(where, where.place, *count, accessor.place_size, accessor.place_size);
   const std::size_t element = accessor.components * accessor.size;
   const auto replaced = places
@@ -316,7 +322,7 @@ bool GltfDocument::read_sparse(const GltfEntry& sparse, GltfAccessor& accessor) 
   accessor.values = *replaced;
   std::uint64_t least = 0;
   for (std::uint64_t i = 0; i < *count; ++i) {
-    const std::uint64_t place = word_at(*places, i * accessor.place_size, accessor.place_size);
+    const std::uint64_t place = component_word(*places, i * accessor.place_size, accessor.place_size);
     if (place < least || place >= accessor.count) {
       fail(where.place, "found " + std::to_string(place) + " at " + std::to_string(i),
            "ascending numbers below " + std::to_string(accessor.count));
@@ -332,12 +338,12 @@ std::optional<GltfAccessor> GltfDocument::accessor(const GltfEntry& entry) {
   if (const auto known = accessors_.find(entry.json); known != accessors_.end()) return known->second;
   GltfAccessor accessor;
   const auto count = whole(entry, "count", 0xffffffff);
-  const auto type = whole(entry, "componentType", float32);
+  const auto type = whole(entry, "componentType", gltf_float32);
   if (!count || !type) return std::nullopt;
   accessor.count = *count;
   accessor.type = static_cast<unsigned>(*type);
-  accessor.size = size_of(*type);
-  accessor.is_float = *type == float32;
+  accessor.size = component_size(*type);
+  accessor.is_float = *type == gltf_float32;
   if (accessor.size == 0) {
     fail(entry.place + ".componentType", "found " + std::to_string(*type), "5120 to 5123, 5125 or 5126");
     return std::nullopt;
@@ -356,7 +362,8 @@ std::optional<GltfAccessor> GltfDocument::accessor(const GltfEntry& entry) {
   }
   const base::Json* const normalized = entry.json->find("normalized");
   if (normalized != nullptr && normalized->boolean().value_or(false) && !accessor.is_float)
-    accessor.unit = 1 / (std::ldexp(1.0, static_cast<int>(8 * accessor.size) - (*type == int8 || *type == int16 ? 1 : 0)) - 1);
+    accessor.unit =
+        1 / (std::ldexp(1.0, static_cast<int>(8 * accessor.size) - (*type == gltf_int8 || *type == gltf_int16 ? 1 : 0)) - 1);
   const std::size_t element = accessor.components * accessor.size;
   if (entry.json->find("bufferView") != nullptr) {
     // glTF 1 has the stride here, and 0 for none.

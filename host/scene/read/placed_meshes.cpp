@@ -12,7 +12,7 @@
 namespace sightline::scene {
 namespace {
 
-std::array<double, 3> moved(const Transform& m, const std::array<double, 3>& p) {
+std::array<double, 3> transformed(const Transform& m, const std::array<double, 3>& p) {
   std::array<double, 3> result{};
   for (std::size_t i = 0; i < 3; ++i) result[i] = m[i][0] * p[0] + m[i][1] * p[1] + m[i][2] * p[2] + m[i][3];
   return result;
@@ -53,10 +53,10 @@ void PlacedMeshes::begin_body(std::string name) {
 
 base::Result<base::Done> PlacedMeshes::add(const LocalMesh& mesh, const Transform& transform) {
   corners_ += mesh.corners.size();
-  if (corners_ > most_corners || ++copies_ > most_copies) {
-    const bool corners = corners_ > most_corners;
+  if (corners_ > most_placed_corners || ++copies_ > most_placed_copies) {
+    const bool corners = corners_ > most_placed_corners;
     return base::Error{"", mesh.place,
-                       "found more than " + std::to_string(corners ? most_corners : most_copies) +
+                       "found more than " + std::to_string(corners ? most_placed_corners : most_placed_copies) +
                            (corners ? " corners of faces, copies counted" : " copies of meshes"),
                        "", "export fewer copies, or fewer faces"};
   }
@@ -70,7 +70,7 @@ base::Result<base::Done> PlacedMeshes::add(const LocalMesh& mesh, const Transfor
     for (std::size_t c = 0; c < 3; ++c) {
       const std::uint32_t v = mesh.corners[t + (mirror ? 2 - c : c)];
       if (number[v] == unknown) {
-        const std::array<double, 3> point = moved(transform, mesh.vertices[v]);
+        const std::array<double, 3> point = transformed(transform, mesh.vertices[v]);
         if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
           return base::Error{"", mesh.place + ", vertex " + std::to_string(v), "found a coordinate that is no finite number",
                              "a number"};

@@ -30,8 +30,8 @@ struct LocalMesh {
 };
 
 // The most corners of triangles that a file may have, copies counted, and the most copies of meshes.
-constexpr std::size_t most_corners = 100'000'000;
-constexpr std::size_t most_copies = 1'000'000;
+constexpr std::size_t most_placed_corners = 100'000'000;
+constexpr std::size_t most_placed_copies = 1'000'000;
 
 // Renumbers the vertices that corners name from 0 upwards, in their order, and returns the numbers they had: for a mesh that has
 // more vertices than corners.

@@ -53,6 +53,9 @@ class PolyLines {
 // Empty for everything else.
 [[nodiscard]] std::optional<double> coordinate_of(std::string_view field);
 
+// What to do about a file that no program writes like this.
+inline constexpr const char* export_again = "the file is damaged: export it again";
+
 // A name as scenes have them: at most 200 characters, and "?" for what is not printable ASCII.
 [[nodiscard]] std::string printable_name(std::string text);
 

@@ -41,15 +41,15 @@ namespace {
 constexpr std::uint64_t most_model_bytes = std::uint64_t{1} << 30;  // inflated, all models together
 constexpr std::uint64_t most_tree_bytes = std::uint64_t{4} << 30;   // of one model as a tree
 constexpr std::size_t most_levels = 100;                            // of components
-constexpr const char* export_again = "the file is damaged: export it again";
 
-struct Unit {
+struct ThreeMfUnit {
   std::string_view name;
   std::string_view here;  // as other formats name it
   double millimetres;
 };
-constexpr std::array units{Unit{"millimeter", "mm", 1}, Unit{"micron", "um", 0.001}, Unit{"centimeter", "cm", 10},
-                           Unit{"inch", "inch", 25.4},  Unit{"foot", "ft", 304.8},   Unit{"meter", "m", 1000}};
+constexpr std::array three_mf_units{ThreeMfUnit{"millimeter", "mm", 1},  ThreeMfUnit{"micron", "um", 0.001},
+                                    ThreeMfUnit{"centimeter", "cm", 10}, ThreeMfUnit{"inch", "inch", 25.4},
+                                    ThreeMfUnit{"foot", "ft", 304.8},    ThreeMfUnit{"meter", "m", 1000}};
 
 // --- XML with namespaces
 
@@ -108,20 +108,20 @@ std::string line_and_column(std::string_view text, std::size_t byte) {
 
 // --- the models of an archive
 
-struct Component {
+struct ThreeMfComponent {
   std::string part;  // empty: the one of the object
   std::string object;
   Transform transform = no_transform;
   std::size_t index = 0;  // of the object, once it is checked
 };
 
-struct Object {
+struct ThreeMfObject {
   std::size_t part = 0;
   std::string name;
   bool has_name = false;
   std::string type;
   LocalMesh mesh;
-  std::vector<Component> components;
+  std::vector<ThreeMfComponent> components;
 
   enum class State : std::uint8_t { unchecked, being_checked, checked };
   State state = State::unchecked;
@@ -129,9 +129,9 @@ struct Object {
   std::size_t levels = 0;   // of components below
 };
 
-struct Part {
+struct ThreeMfPart {
   std::string name;
-  const Unit* unit = units.data();
+  const ThreeMfUnit* unit = three_mf_units.data();
   std::map<std::string, std::size_t, std::less<>> objects;  // by id
 };
 
@@ -145,7 +145,7 @@ class ThreeMfReader {
     read_modifiers();
     if (const auto root = root_part()) {
       load(*root);
-      for (const Component& item : items_)
+      for (const ThreeMfComponent& item : items_)
         if (!error_) build(item);
     }
     if (error_) return *error_;
@@ -154,8 +154,8 @@ class ThreeMfReader {
       notes.push_back(std::to_string(count) + " " + (count == 1 ? what.first : what.second));
     auto mesh = meshes_.take();
     if (!mesh && !notes.empty())
-      return base::Error{"", parts_.front().name, "found only " + notes.front(),
-                         "an object to be printed, of type \"model\"", ""};
+      return base::Error{"", parts_.front().name, "found only " + notes.front(), "an object to be printed, of type \"model\"",
+                         ""};
     if (!mesh && items_.empty())
       return base::Error{"", parts_.front().name, "found nothing that is built", "an item in the element \"build\"",
                          "add the objects to the plate"};
@@ -274,7 +274,7 @@ class ThreeMfReader {
     }
     const std::size_t part = parts_.size();
     part_of_entry_[entry] = part;
-    parts_.push_back({name, units.data(), {}});
+    parts_.push_back({name, three_mf_units.data(), {}});
     read_model(tree.document_element(), part);
     return error_ ? std::nullopt : std::optional(part);
   }
@@ -286,8 +286,9 @@ class ThreeMfReader {
       return;
     }
     if (const pugi::xml_attribute said = model.attribute("unit")) {
-      const auto* const unit = std::find_if(units.begin(), units.end(), [&](const Unit& u) { return u.name == said.value(); });
-      if (unit == units.end()) {
+      const auto* const unit = std::find_if(three_mf_units.begin(), three_mf_units.end(),
+                                            [&](const ThreeMfUnit& u) { return u.name == said.value(); });
+      if (unit == three_mf_units.end()) {
         fail(name, "found the unit " + quoted_excerpt(said.value()), "micron, millimeter, centimeter, inch, foot or meter");
         return;
       }
@@ -333,7 +334,7 @@ class ThreeMfReader {
 
   void read_object(pugi::xml_node node, std::size_t part) {
     const std::string id = node.attribute("id").value();
-    Object object;
+    ThreeMfObject object;
     object.part = part;
     object.mesh.place = parts_[part].name + ", object " + printable_name(id);
     object.type = printable_name(node.attribute("type").value());
@@ -427,8 +428,8 @@ class ThreeMfReader {
   }
 
   // Of a component or build item.
-  Component component(pugi::xml_node node, const std::string& place) {
-    Component result;
+  ThreeMfComponent component(pugi::xml_node node, const std::string& place) {
+    ThreeMfComponent result;
     result.part = part_named_by(node);
     result.object = node.attribute("objectid").value();
     const std::string_view written = node.attribute("transform").value();
@@ -456,7 +457,7 @@ class ThreeMfReader {
   // --- what is built
 
   // What a component of a part names; empty after an error.
-  std::optional<std::size_t> object_of(const Component& component, std::size_t part, const std::string& place) {
+  std::optional<std::size_t> object_of(const ThreeMfComponent& component, std::size_t part, const std::string& place) {
     if (!component.part.empty()) {
       const auto entry = entries_.find(entry_key(component.part));
       if (entry == entries_.end()) {
@@ -473,7 +474,7 @@ class ThreeMfReader {
     return std::nullopt;
   }
 
-  static bool is_printed(const Object& object) {
+  static bool is_printed(const ThreeMfObject& object) {
     return object.type != "support" && object.type != "solidsupport" && object.type != "other";
   }
 
@@ -484,15 +485,15 @@ class ThreeMfReader {
   // Loads what an object consists of, and counts its corners. False after an error: it contains itself, or what is not there.
   bool check(std::size_t index, std::size_t level) {
     const std::string place = objects_[index].mesh.place;
-    if (objects_[index].state == Object::State::checked) return true;
-    if (objects_[index].state == Object::State::being_checked)
+    if (objects_[index].state == ThreeMfObject::State::checked) return true;
+    if (objects_[index].state == ThreeMfObject::State::being_checked)
       return fail(place, "found an object that contains itself", "components of other objects");
     if (level > most_levels) return fail_by_levels(place);
-    objects_[index].state = Object::State::being_checked;
+    objects_[index].state = ThreeMfObject::State::being_checked;
     if (!is_printed(objects_[index])) {
       const std::string type = " of type \"" + objects_[index].type + "\"";
       leave_out("object" + type, "objects" + type);
-      objects_[index].state = Object::State::checked;
+      objects_[index].state = ThreeMfObject::State::checked;
       return true;
     }
     std::size_t corners = objects_[index].mesh.corners.size();
@@ -503,25 +504,26 @@ class ThreeMfReader {
           object_of(objects_[index].components[c], objects_[index].part, place + ", component " + std::to_string(c + 1));
       if (!inner || !check(*inner, level + 1)) return false;
       objects_[index].components[c].index = *inner;
-      corners = std::min(corners + objects_[*inner].corners, most_corners + 1);
+      corners = std::min(corners + objects_[*inner].corners, most_placed_corners + 1);
       levels = std::max(levels, objects_[*inner].levels + 1);
     }
     if (levels > most_levels) return fail_by_levels(place);
     // So that each step of place_copy has faces to place.
-    std::erase_if(objects_[index].components, [&](const Component& c) { return objects_[c.index].corners == 0; });
+    std::erase_if(objects_[index].components, [&](const ThreeMfComponent& c) { return objects_[c.index].corners == 0; });
     objects_[index].corners = corners;
     objects_[index].levels = levels;
-    objects_[index].state = Object::State::checked;
+    objects_[index].state = ThreeMfObject::State::checked;
     return true;
   }
 
-  void build(const Component& item) {
+  void build(const ThreeMfComponent& item) {
     const auto object = object_of(item, 0, parts_.front().name + ", build");
     if (!object || !check(*object, 0)) return;
     built_corners_ += objects_[*object].corners;
-    if (built_corners_ > most_corners) {
-      fail(objects_[*object].mesh.place, "found more than " + std::to_string(most_corners) + " corners of faces, copies counted",
-           "", "export fewer copies, or fewer faces");
+    if (built_corners_ > most_placed_corners) {
+      fail(objects_[*object].mesh.place,
+           "found more than " + std::to_string(most_placed_corners) + " corners of faces, copies counted", "",
+           "export fewer copies, or fewer faces");
       return;
     }
     place_copy(*object, scaled(item.transform, 0, objects_[*object].part), "");
@@ -537,7 +539,7 @@ class ThreeMfReader {
 
   // Of a checked object. `name`: of the innermost object around it that has one.
   void place_copy(std::size_t index, const Transform& transform, const std::string& name) {
-    const Object& object = objects_[index];
+    const ThreeMfObject& object = objects_[index];
     if (object.corners == 0 || error_) return;
     const std::string& nearest = object.has_name || name.empty() ? object.name : name;
     if (!object.mesh.corners.empty()) {
@@ -545,7 +547,7 @@ class ThreeMfReader {
       auto added = meshes_.add(object.mesh, transform);
       if (!added) error_ = std::move(added.error());
     }
-    for (const Component& component : object.components) {
+    for (const ThreeMfComponent& component : object.components) {
       const Transform local = scaled(component.transform, object.part, objects_[component.index].part);
       place_copy(component.index, product(transform, local), object.has_name ? object.name : name);
     }
@@ -555,9 +557,9 @@ class ThreeMfReader {
   std::map<std::string, std::size_t, std::less<>> entries_;
   std::map<std::size_t, std::size_t> part_of_entry_;
   std::uint64_t model_bytes_ = 0;
-  std::vector<Part> parts_;  // the first one is the archive's model
-  std::vector<Object> objects_;
-  std::vector<Component> items_;
+  std::vector<ThreeMfPart> parts_;  // the first one is the archive's model
+  std::vector<ThreeMfObject> objects_;
+  std::vector<ThreeMfComponent> items_;
   std::map<std::string, std::vector<std::array<std::uint64_t, 2>>> modifiers_;  // the first and last triangle of each, by object
   std::size_t built_corners_ = 0;
   std::map<std::pair<std::string, std::string>, std::size_t> left_out_;  // one and several of what, and how many

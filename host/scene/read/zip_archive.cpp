@@ -10,12 +10,11 @@
 namespace sightline::scene {
 namespace {
 
-constexpr const char* export_again = "the file is damaged: export it again";
-constexpr std::uint64_t most_ratio = 200;  // of a mesh's text it is 5 to 30
-constexpr std::uint64_t small = 1 << 20;   // bytes
+constexpr std::uint64_t most_inflation = 200;       // of a mesh's text it is 5 to 30
+constexpr std::uint64_t inflated_freely = 1 << 20;  // bytes
 
 // What the error codes of libzip mean that an archive in memory can cause.
-base::Error error_of(const zip_error_t& error, std::string place) {
+base::Error zip_error_of(const zip_error_t& error, std::string place) {
   switch (error.zip_err) {
     case ZIP_ER_COMPNOTSUPP:
       return {"", std::move(place), "found an unknown compression method", "stored or deflated", "save it again"};
@@ -52,7 +51,7 @@ base::Result<ZipArchive> ZipArchive::open(std::string_view bytes) {
       return base::Error{"", end, "found the end of the file", "the directory of a ZIP archive before it", export_again};
     if (error.zip_err == ZIP_ER_INCONS)
       return base::Error{"", end, "found no entry of the ZIP directory where the end of the archive says", "one", export_again};
-    return error_of(error, "");
+    return zip_error_of(error, "");
   }
   ZipArchive archive(opened, bytes.size());
   const zip_int64_t count = ::zip_get_num_entries(opened, 0);
@@ -66,19 +65,19 @@ base::Result<ZipArchive> ZipArchive::open(std::string_view bytes) {
 base::Result<std::string> ZipArchive::read(std::size_t entry, std::uint64_t most) const {
   const std::string place = printable_name(names_[entry]);
   zip_stat_t said;
-  if (::zip_stat_index(archive_.get(), entry, 0, &said) != 0) return error_of(*::zip_get_error(archive_.get()), place);
+  if (::zip_stat_index(archive_.get(), entry, 0, &said) != 0) return zip_error_of(*::zip_get_error(archive_.get()), place);
   if (said.size > most)
     return base::Error{"", place, "found " + std::to_string(said.size) + " bytes",
                        "at most " + std::to_string(most) + " bytes of models", "export fewer parts, or as binary STL"};
   if (said.comp_size > bytes_)
     return base::Error{"", place, "found " + std::to_string(said.comp_size) + " bytes",
                        "at most the " + std::to_string(bytes_) + " of the archive", export_again};
-  if (said.size > small && said.size / most_ratio > said.comp_size)
+  if (said.size > inflated_freely && said.size / most_inflation > said.comp_size)
     return base::Error{"", place, "found " + std::to_string(said.size) + " bytes compressed to " + std::to_string(said.comp_size),
-                       "at most " + std::to_string(most_ratio) + " to 1",
+                       "at most " + std::to_string(most_inflation) + " to 1",
                        "such a file is made to fill memory; save it with less compression"};
   zip_file_t* const file = ::zip_fopen_index(archive_.get(), entry, 0);
-  if (file == nullptr) return error_of(*::zip_get_error(archive_.get()), place);
+  if (file == nullptr) return zip_error_of(*::zip_get_error(archive_.get()), place);
   // One byte more than the directory says, which brings the check of the contents.
   std::string text(static_cast<std::size_t>(said.size) + 1, '\0');
   std::size_t filled = 0;
@@ -88,7 +87,7 @@ base::Result<std::string> ZipArchive::read(std::size_t entry, std::uint64_t most
     if (got > 0) filled += static_cast<std::size_t>(got);
   }
   auto result = [&]() -> base::Result<std::string> {
-    if (got < 0) return error_of(*::zip_file_get_error(file), place);
+    if (got < 0) return zip_error_of(*::zip_file_get_error(file), place);
     if (filled != said.size)
       return base::Error{"", place, "found " + std::string(filled < said.size ? "fewer" : "more") + " bytes",
                          "the " + std::to_string(said.size) + " bytes that the ZIP directory says", export_again};
