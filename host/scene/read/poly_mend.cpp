@@ -594,6 +594,7 @@ class Mending {
     // Nearly all edges of most meshes: of two faces of one body, which pass it in opposite directions.
     std::vector<std::uint32_t> others;
     bool all_agree = true;
+    result_.neighbours.reserve(edges.size());
     for (std::uint32_t e = 0; e < edges.size(); ++e) {
       const auto uses = edges.uses(e);
       const bool of_two = uses.size() == 2 && pieces_[uses[0].face].body == pieces_[uses[1].face].body;
