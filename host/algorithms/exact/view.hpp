@@ -89,6 +89,7 @@ struct View {
   std::array<Vector, 2> axes{};  // right, up
   std::vector<ViewPoint> points;  // of the mesh's vertices
   std::vector<std::uint8_t> drawn;  // 1 for edges that are not hidden by their own solid or behind the eye
+  std::vector<std::uint32_t> choices;  // the number, among those chosen, of each edge drawn; empty if none were chosen
   std::vector<Occluder> occluders;
   std::vector<ImageBounds> occluder_bounds;
   std::vector<std::uint32_t> occluder_depths;  // of the nearest corner of each

@@ -61,6 +61,8 @@ struct FaceBox {
 using Triangle = std::array<VertexIndex, 3>;
 constexpr Triangle no_triangle{~VertexIndex{0}, ~VertexIndex{0}, ~VertexIndex{0}};  // a face with other corners
 
+bool is_triangle(const Triangle& corners) { return corners[0] != no_triangle[0]; }
+
 class CrossingSearch {
  public:
   explicit CrossingSearch(const PolyScene& scene) : scene_(scene) {
@@ -194,9 +196,10 @@ class CrossingSearch {
   // --- two faces
 
   // Whether the outline has corners strictly on both sides.
-  [[nodiscard]] bool straddles(const CrossingFace& face, const geometry::Plane& plane) const {
-    if (face.is_triangle()) {
-      const auto at = [&](std::size_t i) { return plane.at(scene_.vertices[face.ring()[i]]); };
+  [[nodiscard]] bool straddles(std::uint32_t number, const geometry::Plane& plane) const {
+    const CrossingFace& face = faces_[number];
+    if (is_triangle(corners_[number])) {
+      const auto at = [&](std::size_t i) { return plane.at(scene_.vertices[corners_[number][i]]); };
       const std::array<std::int64_t, 3> ends{at(0), at(1), at(2)};
       return std::min({ends[0], ends[1], ends[2]}) < 0 && std::max({ends[0], ends[1], ends[2]}) > 0;
     }
@@ -225,7 +228,7 @@ class CrossingSearch {
     const SharedCorners shared = shared_corners(corners_[a], corners_[b]);
     if (shared.count > 1) return;  // two corners of each are in the plane of the other
     if (!scene_.surface_of.empty() && scene_.surface_of[a] == scene_.surface_of[b]) return;
-    if (!straddles(face_b, face_a.plane) || !straddles(face_a, face_b.plane)) return;
+    if (!straddles(b, face_a.plane) || !straddles(a, face_b.plane)) return;
     const CutAxis along = cut_axis(face_a.plane.normal, face_b.plane.normal);
     if (along.sign == 0) return;
     if (shared.count == 1 && leaves(face_a, face_b.plane, shared.in_a, along.axis) !=
@@ -249,7 +252,7 @@ class CrossingSearch {
 
   [[nodiscard]] static SharedCorners shared_corners(const Triangle& a, const Triangle& b) {
     SharedCorners shared;
-    if (a == no_triangle || b == no_triangle) return shared;
+    if (!is_triangle(a) || !is_triangle(b)) return shared;
     for (std::size_t i = 0; i < 3; ++i) {
       const int with_first = a[i] == b[0] ? 1 : 0;
       const int with_second = a[i] == b[1] ? 1 : 0;
