@@ -181,7 +181,7 @@ class Mending {
         if (!clean_already(piece.ring)) clean(piece.ring);
         if (piece.ring.empty()) leave_out(piece, report_.dropped_faces);
       }
-      scene_.bodies[b].faces = {};
+      std::vector<PolyFace>().swap(scene_.bodies[b].faces);
     }
   }
 
@@ -897,7 +897,7 @@ class Mending {
       bodies[to].faces.push_back({std::move(ring), {}});
     }
     scene_.bodies = std::move(bodies);
-    pieces_ = {};
+    std::vector<Piece>().swap(pieces_);
   }
 
   void drop_unused() {
