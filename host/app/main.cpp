@@ -1,7 +1,12 @@
 // The program `sightline` and its subcommands, in the order of its help.
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <string_view>
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 #include "host/app/command_line.hpp"
 #include "host/app/commands/commands.hpp"
@@ -46,10 +51,20 @@ void add_commands(const Command& program, std::string_view first_word) {
   for (const Entry& entry : commands) entry.add(program);
 }
 
+// The arrays of a mesh are tens of megabytes long, and there are many, one after the other. Memory that is freed is kept for the next
+// one: otherwise the kernel clears new pages each time, which is a tenth of the time of a drawing.
+void keep_freed_memory() {
+#if defined(__GLIBC__)
+  static_cast<void>(mallopt(M_MMAP_THRESHOLD, 1 << 30));
+  static_cast<void>(mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max()));
+#endif
+}
+
 }  // namespace
 }  // namespace sightline::app
 
 int main(int argc, char** argv) {
+  sightline::app::keep_freed_memory();
   const auto is = [&](int n, std::string_view word) { return n < argc && argv[n] == word; };
   if (is(1, "report")) return static_cast<int>(sightline::app::run_report_program(argv));
   if (is(1, "help") && is(2, "report")) {

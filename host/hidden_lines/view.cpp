@@ -9,6 +9,7 @@
 
 #include "host/algorithms/oracle/matter_scene.hpp"
 #include "host/base/json.hpp"
+#include "host/base/threads.hpp"
 #include "host/hidden_lines/hidden_lines.hpp"
 #include "host/picture/camera_view.hpp"
 #include "host/picture/hatching.hpp"
@@ -171,7 +172,8 @@ class Views::Work {
     if (options_.hatch)
       if (auto checked = check(*options_.hatch); !checked) return checked;
     find_matter(cameras);
-    if (!matter_) choose_edges();
+    std::optional<base::Result<registry::PreparedScene>> made;
+    if (!matter_) made = choose_edges();
     if (const auto reason = algorithm_.why_not(scene()))
       return base::Error{.file = source_.name,
                          .found = fmt::format("{} does not apply: {}", algorithm_.name, *reason),
@@ -180,9 +182,9 @@ class Views::Work {
       prepared_ = algorithm_.prepare_cells(source_.decomposition->complex);
       return base::Done{};
     }
-    auto made = prepared(scene());
-    if (!made) return in_file(std::move(made.error()), source_.name);
-    prepared_ = std::move(*made);
+    if (!made) made = prepared(scene());
+    if (!*made) return in_file(std::move(made->error()), source_.name);
+    prepared_ = std::move(**made);
     return base::Done{};
   }
 
@@ -240,15 +242,43 @@ class Views::Work {
     matter_.emplace(std::move(*matter));
   }
 
-  void choose_edges() {
+  // With several threads a mesh is prepared beside the search for crossings, as most have none; empty: it has to be prepared.
+  std::optional<base::Result<registry::PreparedScene>> choose_edges() {
     const bool mesh = !source_.scene.surfaces.empty();
-    if (find_crossings()) own_scene_ = scene::with_crossings(source_.scene);
+    const auto find = [this] { return source_.kind == scene::SceneKind::polyhedra ? scene::crossings_of(source_.scene, 1) : Crossings{}; };
+    Crossings crossings;
+    std::optional<base::Result<registry::PreparedScene>> made;
+    const bool beside = mesh && options_.jobs > 1 && algorithm_.prepare_threads != nullptr &&
+                        !source_.decomposition && !algorithm_.why_not(source_.scene);
+    if (beside) {
+      base::for_parts(2, 2, [&](std::size_t part, std::size_t, std::size_t) {
+        if (part == 0) {
+          crossings = find();
+          return;
+        }
+        if (const auto choice = edge_choice(options_.edges, source_.scene)) chooser_.emplace(source_.scene, *choice);
+        made = prepared(source_.scene);
+      });
+    } else {
+      crossings = find();
+    }
+    if (are_drawn(crossings)) own_scene_ = scene::with_crossings(source_.scene);
+    if (beside && !own_scene_) {
+      choose_all_for_strokes();
+      return made;
+    }
+    chooser_.reset();
     seams_ = !mesh && !options_.edges.are_given();
     if (seams_ && has_free_lines()) {
       chooser_.emplace(scene(), *picture::edge_choice_named("all"));
     } else if (!seams_) {
       if (const auto choice = edge_choice(options_.edges, scene())) chooser_.emplace(scene(), *choice);
     }
+    choose_all_for_strokes();
+    return std::nullopt;
+  }
+
+  void choose_all_for_strokes() {
     chosen_by_user_ = chooser_.has_value();
     if (options_.strokes && !chooser_) chooser_.emplace(scene(), *picture::edge_choice_named("all"));
   }
@@ -262,11 +292,11 @@ class Views::Work {
   // Whether there are lines that are not sides of faces: intersections of bodies, and wires.
   [[nodiscard]] bool has_free_lines() const { return !scene().crossings.empty() || !scene().wires.empty(); }
 
+  using Crossings = std::vector<scene::Crossing>;
+
   // Whether bodies pass through each other and the algorithm draws the lines of intersection; if it does not, adds a
   // note.
-  [[nodiscard]] bool find_crossings() {
-    if (source_.kind != scene::SceneKind::polyhedra) return false;
-    const auto crossings = scene::crossings_of(source_.scene, 1);
+  [[nodiscard]] bool are_drawn(const Crossings& crossings) {
     if (crossings.empty() || algorithm_.draws_crossings) return !crossings.empty();
     note(fmt::format("bodies pass through each other, the first at faces {} and {} of the file; `sightline draw exact` draws "
                      "the lines between them",

@@ -224,11 +224,14 @@ View make_view(const EdgeMesh& mesh, const scene::PolyCamera& camera, const pict
   if (chosen != nullptr) {
     view.drawn.assign(mesh.edges.size(), 0);
     auto edge = mesh.edges.begin();
-    for (std::size_t c = 0; c < chosen->edges.size(); ++c) {
-      edge = std::lower_bound(edge, mesh.edges.end(), chosen->edges[c]);
+    view.choices.resize(mesh.edges.size());
+    for (std::uint32_t c = 0; c < chosen->edges.size(); ++c) {
+      while (edge != mesh.edges.end() && *edge < chosen->edges[c]) ++edge;
       if (edge == mesh.edges.end()) break;
-      if (*edge == chosen->edges[c] && chosen->turned_away[c] == 0)
-        view.drawn[static_cast<std::size_t>(edge - mesh.edges.begin())] = 1;
+      if (*edge != chosen->edges[c] || chosen->turned_away[c] != 0) continue;
+      const auto number = static_cast<std::size_t>(edge - mesh.edges.begin());
+      view.drawn[number] = 1;
+      view.choices[number] = c;
     }
   }
   for (std::size_t e = 0; view.perspective && e < mesh.edges.size(); ++e) {

@@ -90,6 +90,7 @@ struct View {
   std::array<Vector, 2> axes{};  // right, up
   std::vector<ViewPoint> points;  // by vertex of the mesh
   std::vector<std::uint8_t> drawn;  // 1 for edges that are neither hidden by their own solid nor behind the eye
+  std::vector<std::uint32_t> choices;  // by drawn edge: its number among the chosen edges; empty if none were chosen
   std::vector<Occluder> occluders;
   std::vector<ImageBounds> occluder_bounds;
   std::vector<std::uint32_t> occluder_depths;  // of each occluder's nearest corner

@@ -71,10 +71,7 @@ class Search {
   bool is_hidden(std::uint32_t number, Shadow& shadow) {
     const picture::LineEdge& edge = view_.mesh->edges[number];
     std::span<const std::uint32_t> beside;  // surfaces whose faces do not hide the edge
-    if (chosen_ != nullptr) {
-      const auto found = std::lower_bound(chosen_->edges.begin(), chosen_->edges.end(), edge);
-      beside = chosen_->surfaces_at(static_cast<std::size_t>(found - chosen_->edges.begin()));
-    }
+    if (chosen_ != nullptr) beside = chosen_->surfaces_at(view_.choices[number]);
     const std::uint32_t depth = std::max(view_.points[edge.from].depth, view_.points[edge.to].depth);
     const ImageBounds bounds = view_.bounds_of(number);
     if (may_hide_all(last_, bounds, depth) && hides_rest(edge, last_, beside, shadow)) return true;

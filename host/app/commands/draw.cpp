@@ -425,11 +425,11 @@ ExitCode draw_sheet(const registry::LineAlgorithm& algorithm, const DrawLinesArg
     return ExitCode::ok;
   }
   const double unit = scene::millimetres(source.report.unit) * source.scene.step;
-  std::string summary = counted(stroke_count, "line");
+  std::string summary = count_text(stroke_count, "line");
   if (format != hidden_lines::Format::png || arguments.output.is_sheet())
     summary += fmt::format(", {:.3g} m in all, {} views at a scale of {:.4g}:1", length / 1000, views.size(), *options.field.scale / unit);
-  say_written(arguments.output.file, fmt::format("{}, {}", summary, size_text(arguments.output, format)));
-  say_written(arguments.strokes, counted(stroke_count, "line"));
+  report_written(arguments.output.file, fmt::format("{}, {}", summary, size_text(arguments.output, format)));
+  report_written(arguments.strokes, count_text(stroke_count, "line"));
   return ExitCode::ok;
 }
 
@@ -562,7 +562,7 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
             .group("View")
             .excludes(turntable);
     for (const char* other : {"--view", "--eye", "--look-at", "--orthographic", "--up", "--forward", "--right", "--perspective", "--field"})
-      views.excludes(command.added(other));
+      views.excludes(command.find_option(other));
     command.flag("--first-angle", arguments->first_angle, "Arrange the views of --views in first-angle projection").needs(views).group("View");
     command
         .option("--section", arguments->section,

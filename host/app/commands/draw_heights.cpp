@@ -268,7 +268,7 @@ std::string drawing_text(const picture::VectorDrawing& drawing) {
 algorithms::skala::Figure figure_of_net(const DrawHeightsArguments& arguments, const SkalaFunction& function) {
   for (const char* option : {"--picture", "--along", "--levels", "--contour-step", "--labels", "--floor", "--net", "--silhouette", "--no-silhouette", "--colours",
                              "--no-legend", "--no-rims", "--no-visibility", "--columns", "--axes", "--title", "--stretch"})
-    refuse_option(arguments.output, option, "a surface over a grid; " + function.name + " is a net of curves");
+    reject_option(arguments.output, option, "a surface over a grid; " + function.name + " is a net of curves");
   const NetView view{arguments.view.sides, arguments.view.rotation, arguments.view.elevation, {.width = arguments.figure.width, .height = arguments.figure.height, .extent = {}}};
   return {draw_net(*function.net, view, function.name), view.sides, {1, 1}};
 }

@@ -82,7 +82,7 @@ scene::HeightGrid grid_of(const scene::SurfaceNet& net) {
 }
 
 void take_surface(base::Result<scene::HeightSurface> read, bool nets, SkalaFunction& function) {
-  scene::HeightSurface surface = checked(std::move(read), base::ErrorKind::bad_input);
+  scene::HeightSurface surface = value_or_throw(std::move(read), base::ErrorKind::bad_input);
   if (auto* const grid = std::get_if<scene::HeightGrid>(&surface)) {
     function.grid = std::move(*grid);
     return;

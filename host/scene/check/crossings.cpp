@@ -61,6 +61,8 @@ struct FaceBox {
 using Triangle = std::array<VertexIndex, 3>;
 constexpr Triangle no_triangle{~VertexIndex{0}, ~VertexIndex{0}, ~VertexIndex{0}};  // a face with other corners
 
+bool is_triangle(const Triangle& corners) { return corners[0] != no_triangle[0]; }
+
 class CrossingSearch {
  public:
   explicit CrossingSearch(const PolyScene& scene) : scene_(scene) {
@@ -153,12 +155,16 @@ class CrossingSearch {
                               begins(x == span[0], 0) | begins(y == span[1], 1) | begins(z == span[2], 2));
     }
     sort_by_cell(entries);
+    constexpr std::size_t fetched_ahead = 32;
     std::vector<FaceBox> here;
     for (std::size_t first = 0; first < entries.size() && found_.size() < most_;) {
       std::size_t last = first;
       while (last < entries.size() && cell_of(entries[last]) == cell_of(entries[first])) ++last;
       here.clear();
-      for (std::size_t i = first; i < last; ++i) here.push_back(boxes_[face_of(entries[i])]);
+      for (std::size_t i = first; i < last; ++i) {
+        if (i + fetched_ahead < entries.size()) __builtin_prefetch(&boxes_[face_of(entries[i + fetched_ahead])]);
+        here.push_back(boxes_[face_of(entries[i])]);
+      }
       for (std::size_t i = 0; i < here.size(); ++i) {
         for (std::size_t j = i + 1; j < here.size(); ++j) {
           // Once, in the first cell that both are in.
@@ -194,9 +200,10 @@ class CrossingSearch {
   // --- two faces
 
   // Whether the outline has corners strictly on both sides.
-  [[nodiscard]] bool straddles(const CrossingFace& face, const geometry::Plane& plane) const {
-    if (face.is_triangle()) {
-      const auto at = [&](std::size_t i) { return plane.at(scene_.vertices[face.ring()[i]]); };
+  [[nodiscard]] bool straddles(std::uint32_t number, const geometry::Plane& plane) const {
+    const CrossingFace& face = faces_[number];
+    if (is_triangle(corners_[number])) {
+      const auto at = [&](std::size_t i) { return plane.at(scene_.vertices[corners_[number][i]]); };
       const std::array<std::int64_t, 3> ends{at(0), at(1), at(2)};
       return std::min({ends[0], ends[1], ends[2]}) < 0 && std::max({ends[0], ends[1], ends[2]}) > 0;
     }
@@ -225,7 +232,7 @@ class CrossingSearch {
     const SharedCorners shared = shared_corners(corners_[a], corners_[b]);
     if (shared.count > 1) return;  // two corners of each are in the plane of the other
     if (!scene_.surface_of.empty() && scene_.surface_of[a] == scene_.surface_of[b]) return;
-    if (!straddles(face_b, face_a.plane) || !straddles(face_a, face_b.plane)) return;
+    if (!straddles(b, face_a.plane) || !straddles(a, face_b.plane)) return;
     const CutAxis along = cut_axis(face_a.plane.normal, face_b.plane.normal);
     if (along.sign == 0) return;
     if (shared.count == 1 && leaves(face_a, face_b.plane, shared.in_a, along.axis) !=
@@ -249,7 +256,7 @@ class CrossingSearch {
 
   [[nodiscard]] static SharedCorners shared_corners(const Triangle& a, const Triangle& b) {
     SharedCorners shared;
-    if (a == no_triangle || b == no_triangle) return shared;
+    if (!is_triangle(a) || !is_triangle(b)) return shared;
     for (std::size_t i = 0; i < 3; ++i) {
       const int with_first = a[i] == b[0] ? 1 : 0;
       const int with_second = a[i] == b[1] ? 1 : 0;

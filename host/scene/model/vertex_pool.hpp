@@ -19,14 +19,15 @@ class VertexPool {
  public:
   using Point = std::array<Number, 3>;
 
-  explicit VertexPool(std::vector<Point>& vertices) : vertices_(vertices), places_(1024, none) {}
+  explicit VertexPool(std::vector<Point>& vertices) : vertices_(vertices), places_(1024) {}
 
   VertexIndex add(Point point) {
     for (Number& c : point) c += Number{0};  // no -0
-    const std::size_t at = place_of(point);
-    if (places_[at] != none) return places_[at];
+    const std::uint64_t bits = hash(point);
+    Place& place = places_[place_of(bits, point)];
+    if (place.number != none) return place.number;
     const auto number = static_cast<VertexIndex>(vertices_.size());
-    places_[at] = number;
+    place = {tag_of(bits), number};
     vertices_.push_back(point);
     if (2 * vertices_.size() > places_.size()) grow();
     return number;
@@ -48,7 +49,7 @@ class VertexPool {
 
   [[nodiscard]] std::optional<VertexIndex> find(Point point) const {
     for (Number& c : point) c += Number{0};
-    const VertexIndex found = places_[place_of(point)];
+    const VertexIndex found = places_[place_of(hash(point), point)].number;
     return found == none ? std::nullopt : std::optional(found);
   }
 
@@ -58,33 +59,42 @@ class VertexPool {
 
   static bool are_same(const Point& a, const Point& b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
 
-  static std::size_t hash(const Point& point) {
+  static std::uint64_t hash(const Point& point) {
     std::uint64_t h = 0;
     for (const Number c : point) {
       h = (h ^ std::bit_cast<Bits>(c)) * 0x9e3779b97f4a7c15U;
       h ^= h >> 32U;
     }
-    return static_cast<std::size_t>(h);
+    return h;
   }
 
+  // Half of the hash is stored with each vertex, so that most other vertices are rejected without reading their points.
+  struct Place {
+    std::uint32_t tag = 0;
+    VertexIndex number = none;
+  };
+  static std::uint32_t tag_of(std::uint64_t bits) { return static_cast<std::uint32_t>(bits >> 32U); }
+
   // The slot where the point is, or where it would be added.
-  [[nodiscard]] std::size_t place_of(const Point& point) const {
-    std::size_t at = hash(point) & (places_.size() - 1);
-    while (places_[at] != none && !are_same(vertices_[places_[at]], point)) at = (at + 1) & (places_.size() - 1);
+  [[nodiscard]] std::size_t place_of(std::uint64_t bits, const Point& point) const {
+    std::size_t at = bits & (places_.size() - 1);
+    while (places_[at].number != none && !(places_[at].tag == tag_of(bits) && are_same(vertices_[places_[at].number], point)))
+      at = (at + 1) & (places_.size() - 1);
     return at;
   }
 
   void grow() {
-    places_.assign(2 * places_.size(), none);
+    places_.assign(2 * places_.size(), {});
     for (VertexIndex v = 0; v < vertices_.size(); ++v) {
-      std::size_t at = hash(vertices_[v]) & (places_.size() - 1);
-      while (places_[at] != none) at = (at + 1) & (places_.size() - 1);
-      places_[at] = v;
+      const std::uint64_t bits = hash(vertices_[v]);
+      std::size_t at = bits & (places_.size() - 1);
+      while (places_[at].number != none) at = (at + 1) & (places_.size() - 1);
+      places_[at] = {tag_of(bits), v};
     }
   }
 
   std::vector<Point>& vertices_;
-  std::vector<VertexIndex> places_;  // a power of two in size, at most half full
+  std::vector<Place> places_;  // a power of two of them, at most half full
 };
 
 }  // namespace sightline::scene

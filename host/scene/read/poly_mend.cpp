@@ -181,7 +181,7 @@ class Mending {
         if (!clean_already(piece.ring)) clean(piece.ring);
         if (piece.ring.empty()) leave_out(piece, report_.dropped_faces);
       }
-      scene_.bodies[b].faces = {};
+      std::vector<PolyFace>().swap(scene_.bodies[b].faces);
     }
   }
 
@@ -594,6 +594,7 @@ class Mending {
     // Nearly all edges of most meshes: of two faces of one body, which pass it in opposite directions.
     std::vector<std::uint32_t> others;
     bool all_agree = true;
+    result_.neighbours.reserve(edges.size());
     for (std::uint32_t e = 0; e < edges.size(); ++e) {
       const auto uses = edges.uses(e);
       const bool of_two = uses.size() == 2 && pieces_[uses[0].face].body == pieces_[uses[1].face].body;
@@ -896,7 +897,7 @@ class Mending {
       bodies[to].faces.push_back({std::move(ring), {}});
     }
     scene_.bodies = std::move(bodies);
-    pieces_ = {};
+    std::vector<Piece>().swap(pieces_);
   }
 
   void drop_unused() {

@@ -21,9 +21,9 @@ constexpr std::size_t stl_triangles_at = stl_header_bytes + 4;
 constexpr std::size_t stl_triangle_bytes = 50;  // normal, three vertices, two bytes
 
 std::uint32_t little_endian_32(std::string_view bytes, std::size_t at) {
-  std::uint32_t word = 0;
-  for (std::size_t i = 0; i < 4; ++i) word |= std::uint32_t{static_cast<std::uint8_t>(bytes[at + i])} << (8 * i);
-  return word;
+  // Without a loop: compilers make one load of this.
+  const auto byte = [&](std::size_t i) { return std::uint32_t{static_cast<std::uint8_t>(bytes[at + i])}; };
+  return byte(0) | byte(1) << 8U | byte(2) << 16U | byte(3) << 24U;
 }
 
 base::Result<PolyMesh> read_binary_stl(std::string_view bytes, std::string_view source) {
