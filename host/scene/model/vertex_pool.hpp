@@ -38,7 +38,7 @@ class VertexPool {
     vertices_.reserve(vertices);
     while (2 * vertices > places_.size()) grow();
   }
-  // Asks the memory for the place of a point that is soon added.
+  // Prefetches the place of a point that is added soon.
   void fetch(Point point) const {
     for (Number& c : point) c += Number{0};
     __builtin_prefetch(&places_[hash(point) & (places_.size() - 1)]);
