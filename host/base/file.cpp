@@ -75,7 +75,7 @@ std::string link_partial(int file, const std::string& target) {
   return {};
 }
 
-// Into room for the size that the file says it has, and for more if it has more.
+// Reads the whole file into a buffer of the size that the file system reports; the buffer grows if the file is longer.
 template <class Container>
 Result<Container> read_whole(const std::string& path, std::size_t limit) {
   std::error_code failed;

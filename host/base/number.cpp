@@ -72,8 +72,8 @@ std::optional<double> whole_double(std::string_view text, bool exponent) {
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// Most numbers of a file: digits, at most one point among them, without an exponent. The digits as a whole number and the power of
-// ten are doubles, so that their quotient is rounded once. Empty for every other text.
+// Reads what most numbers of a file are: at most 15 digits, perhaps with a point, without an exponent. The digits as a whole number
+// and the power of ten are exact doubles, so their quotient is rounded once. Empty for every other text.
 std::optional<double> short_decimal(std::string_view text) {
   constexpr std::size_t most_digits = 15;
   constexpr std::array<double, most_digits + 1> powers{1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};

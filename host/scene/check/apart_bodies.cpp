@@ -76,8 +76,8 @@ std::vector<PolyBounds> boxes_of(const PolyScene& scene) {
   return boxes;
 }
 
-// Boxes in cells by their low corners. No box in a cell is longer than one, so what meets it begins in a cell next to its own. Of
-// boxes far longer than most there are no cells: each is compared with all others.
+// Sorts boxes into cells by their low corners. A box in a cell is no longer than a cell, so a box that meets it begins in the same
+// cell or a neighbouring one. Boxes far longer than most are in no cell: each is compared with all others.
 class BoxCells {
  public:
   explicit BoxCells(const std::vector<PolyBounds>& boxes) : boxes_(boxes) {

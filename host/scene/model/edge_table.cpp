@@ -27,15 +27,16 @@ constexpr std::uint64_t packed(VertexIndex high, std::uint32_t face, bool upward
 
 void sort_few(std::uint64_t* begin, std::uint64_t* end) {
   constexpr std::ptrdiff_t few = 24;
+  if (end - begin < 2) return;
   if (end - begin > few) {
     std::sort(begin, end);
     return;
   }
   for (std::uint64_t* i = begin + 1; i < end; ++i) {
-    const std::uint64_t side = *i;
+    const std::uint64_t moved = *i;
     std::uint64_t* to = i;
-    for (; to != begin && to[-1] > side; --to) *to = to[-1];
-    *to = side;
+    for (; to != begin && to[-1] > moved; --to) *to = to[-1];
+    *to = moved;
   }
 }
 

@@ -38,7 +38,7 @@ class IndexSet {
       if (place.index == number || (place.tag == tag && same(place.index))) return place.index;
     }
   }
-  // Asks the memory for the place of a key that is soon looked for: so many indices ahead.
+  // Prefetches the place of a key that is looked up soon, fetched_ahead indices later.
   void fetch(std::uint64_t key) const { __builtin_prefetch(&places_[spread(key) & (places_.size() - 1)]); }
   static constexpr std::uint32_t fetched_ahead = 16;
 

@@ -71,7 +71,7 @@ void join_near(const std::vector<PolyPoint>& points, double distance, std::vecto
   for (VertexIndex& t : target) t = root_of(parents, t);
 }
 
-// A face at work.
+// A face while it is mended.
 struct Piece {
   Ring ring;
   std::uint32_t body = 0;
@@ -80,7 +80,7 @@ struct Piece {
   bool left_out = false;
 };
 
-// Vertices that follow themselves, and spikes: there and back.
+// Removes repeated vertices and spikes, where the ring goes to a vertex and straight back.
 void clean(Ring& ring) {
   bool changed = true;
   while (changed && ring.size() >= 3) {
@@ -115,7 +115,7 @@ bool clean_already(const Ring& ring) {
   return ring.size() == 3 || (v[3] != v[0] && v[3] != v[1] && v[3] != v[2]);
 }
 
-// Corners of faces of the file by the vertices that they became: two faces may have different ones for one vertex.
+// Finds the corner of a face of the file that became a vertex: two faces may have different corners for one vertex.
 class FileCorners {
  public:
   FileCorners(const std::vector<Piece>& pieces, std::span<const OpenEdge> open, const FileFaces& file,
@@ -290,7 +290,7 @@ class Mending {
     }
   }
 
-  // Of a triangle on a line the corner between the others, or none if it is not on a line.
+  // Which corner of a triangle without area lies between the other two; 3 for every other ring.
   [[nodiscard]] std::size_t middle_of_flat(const Ring& ring) const {
     if (ring.size() != 3 || !on_a_line(ring)) return 3;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -364,7 +364,7 @@ class Mending {
 
   // --- cracks
 
-  // Ends of open edges that only rounding keeps apart.
+  // Joins ends of open edges that only rounding keeps apart.
   bool join_ends(const EdgeTable& /*edges*/, const std::vector<OpenEdge>& open) {
     if (!options_.rounded) return false;
     const OpenVertices ends(points(), open, file_.vertices, target_);
@@ -408,7 +408,7 @@ class Mending {
     return true;
   }
 
-  // Vertices of other faces on an edge, in the order in which its face passes them.
+  // The vertices of other faces on an edge, in the direction of the face.
   struct Division {
     std::uint32_t piece = 0;
     VertexIndex from = 0;
@@ -854,7 +854,7 @@ class Mending {
 
   // --- the scene
 
-  // The body that a part belongs to in the end, as a key in the order of the result.
+  // Moves the faces to the bodies of the result.
   void put_together() {
     std::vector<PolyBody> bodies;
     std::vector<std::uint32_t> body_of(parts_.size(), no_part);

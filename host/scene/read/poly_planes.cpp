@@ -82,8 +82,8 @@ class Surfaces {
     return plane;
   }
 
-  // The faces of the scene, the largest first; of equal ones the first in the file. Areas are not negative, so their bits ascend as
-  // they do: sorted by counting the upper half of these, 11 bits after 11; the lower half decides among the few that are left.
+  // The faces of the scene, the largest first; of equal ones the first in the file. Areas are not negative, so their bits have the
+  // same order. A radix sort uses the upper 32 bits; a comparison sort orders the few faces that agree in these.
   [[nodiscard]] std::vector<std::uint32_t> by_area() const {
     struct Entry {
       std::uint32_t key = 0;
@@ -135,7 +135,7 @@ class Surfaces {
       if (a == b) continue;
       next_to_[fill[a]++] = b;
       next_to_[fill[b]++] = a;
-      // Here both are near each other in memory; in the order of areas they are not.
+      // Tested here and not in gather(): in the order of the edges, neighbours are near each other in memory.
       if (!may_grow_[a] && joins(b, planes_[a])) may_grow_[a] = true;
       if (!may_grow_[b] && joins(a, planes_[b])) may_grow_[b] = true;
     }
@@ -149,7 +149,7 @@ class Surfaces {
     return true;
   }
 
-  // Those of no group that `plane` takes in, from the seed on, into `members`.
+  // Collects in `members` the faces without a group that are connected to the seed and lie in `plane`.
   void flood(std::uint32_t seed, const FilePlane& plane, std::vector<std::uint32_t>& members) {
     ++round_;
     reached_[seed] = round_;
@@ -165,7 +165,7 @@ class Surfaces {
     }
   }
 
-  // The plane of all of them: the sum of their areas, through the middle of their corners.
+  // The mean plane of the members: their area-weighted normal, through the mean of their corners.
   [[nodiscard]] FilePlane mean_plane(const std::vector<std::uint32_t>& members) const {
     FilePlane mean;
     std::size_t corners = 0;
@@ -185,7 +185,7 @@ class Surfaces {
     return mean;
   }
 
-  // A small face says its plane badly far away, so that the group's own plane may take in more than it began with.
+  // The plane of a small face is inaccurate far away from it, so the mean plane of the group may contain more faces.
   void gather(std::uint32_t seed) {
     const auto group = static_cast<std::uint32_t>(scene_.surfaces.size());
     FilePlane plane = planes_[seed];

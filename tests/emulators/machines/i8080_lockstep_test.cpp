@@ -114,7 +114,7 @@ Shown run_on_pins(const Program& program) {
     const i8080::PinState& row = board->rows[t];
     const core::TStateInstant time = core::at_t_state(static_cast<std::int64_t>(t));
     const i8080::HoldPins found{time, row.inputs.hold, row.hold_acknowledge, row.state == i8080::TState::held};
-    if (found.hold != pins.hold || found.acknowledge != pins.acknowledge || found.stands != pins.stands) {
+    if (found.hold != pins.hold || found.acknowledge != pins.acknowledge || found.waits != pins.waits) {
       shown.holds.push_back(found);
       pins = found;
     }
@@ -269,7 +269,7 @@ std::string text(const i8080::BusCycle& cycle) {
 
 std::string text(const i8080::HoldPins& pins) {
   return std::to_string(core::t_states_of(pins.time)) + (pins.hold ? " hold" : "") + (pins.acknowledge ? " hlda" : "") +
-         (pins.stands ? " stands" : "");
+         (pins.waits ? " waits" : "");
 }
 
 template <class Event>

@@ -7,7 +7,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
+#include <random>
 #include <string>
 
 namespace sightline::base {
@@ -75,6 +77,24 @@ TEST(DecimalNumber, IsFinite) {
   EXPECT_EQ(decimal_number("1e-400"), 0.0);
   for (const char* const wrong : {"", "+", "+-1", "1e400", "inf", "nan", "0x1p3", "1,5", " 1", "1 "})
     EXPECT_FALSE(decimal_number(wrong)) << wrong;
+}
+
+// Numbers of as many digits as are read without strtod, and of more: what strtod reads.
+TEST(DecimalNumber, IsTheNearestDouble) {
+  std::mt19937 random(3);
+  for (int i = 0; i < 200'000; ++i) {
+    std::string text(random() % 3 == 0 ? "-" : "");
+    const std::size_t digits = 1 + random() % 18;
+    const std::size_t point = random() % (digits + 2);
+    for (std::size_t d = 0; d < digits; ++d) {
+      if (d == point) text += '.';
+      text += static_cast<char>('0' + random() % 10);
+    }
+    const auto number = decimal_number(text);
+    ASSERT_TRUE(number) << text;
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(*number), std::bit_cast<std::uint64_t>(std::strtod(text.c_str(), nullptr))) << text;
+  }
+  for (const char* const wrong : {".", "-", "-.", "1.2.3", "--1", "1-", "1e", "12a"}) EXPECT_FALSE(decimal_number(wrong)) << wrong;
 }
 
 TEST(FixedNumber, HasNoExponentAndIsInTheRange) {

@@ -230,7 +230,7 @@ base::Result<std::string> i8080_directives(const std::string& source) {
       {"irp", "`IRP p,<a,b>`: once for each argument"},
       {"irpc", "`IRPC p,text`: once for each character"},
       {"exitm", "leave the macro"},
-      {"include", "read a file, beside the file it stands in"},
+      {"include", "read a file, from the folder of the file that includes it"},
       {"maclib", "the same; also with .LIB behind the name"},
       {"external", "declares names that other sources of the command define"},
       {"cpu", "`CPU 8080`; another processor is an error"},
