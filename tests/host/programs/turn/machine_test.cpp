@@ -231,7 +231,7 @@ TEST(TurnGuest, IsFastEnough) {
 
 // Programs with one wrong bit: checked pictures either fail or are those of the right program.
 TEST(TurnGuest, ACheckedRunOfAWrongProgramFails) {
-  const TurnedModel& model = turned(cube, Memory::words_8k, true);
+  const TurnedModel& model = turned_model(cube, Memory::words_8k, true);
   Program program = assemble_program(true, Memory::words_8k);
   PicturesOrder order = at_speed(9001, 5);
   order.display_files = true;
