@@ -63,7 +63,7 @@ TEST(EventFile, TruncatedFilesAreErrors) {
     EXPECT_TRUE(size <= 60 || !error_of(signed_again(part)).empty()) << size;
   }
   EXPECT_EQ(error_of({}),
-            "x.events: byte 0: an empty file, expected an event file, which begins with SIGHTLINE EVENTS");
+            "x.events: byte 0: an empty file, expected SIGHTLINE EVENTS");
 }
 
 TEST(EventFile, ForeignFilesAreErrors) {
