@@ -134,7 +134,7 @@ TEST_F(OptionNames, AViewOutsideATurnIsAnError) {
     EXPECT_TRUE(has(ran.err, reason)) << ran.err;
     EXPECT_FALSE(exists("p.svg"));
   };
-  refused({}, "only parallel projection");
+  refused({}, "parallel projections only");
   refused({"--orthographic", "1,1,1"}, "parallel to y = 0");
   EXPECT_EQ(sightline({"draw", "plantinga", "boxes-2", "--orthographic", "3,0,4", "-o", "p.svg"}).exit_code,
             0);
