@@ -57,7 +57,7 @@ SkalaFunction from_name(const SkalaSource& source, const scene::HeightFunction& 
   const bool own_domain = source.x_range.empty() && source.y_range.empty();
   if (function.value == nullptr && own_domain) return {name, file_stem(name), scene::sample(function, size)};
   if (function.value == nullptr)
-    throw base::usage_error(fmt::format("--x-range: found with {}, which has no values between its points", name));
+    throw base::usage_error(fmt::format("{}: found with {}, which has no values between its points", source.x_range.empty() ? "--y-range" : "--x-range", name));
   const auto sampled = [function, domain = domain_of(source, {function.domain, function.domain})](scene::GridSize at) {
     return scene::sample(function, domain, at);
   };
@@ -117,9 +117,10 @@ SkalaFunction from_file(const SkalaSource& source, scene::GridSize size) {
                       .remedy = "draw it by: sightline draw exact " + file};
   }
   if ((source.points || source.slices) && !source.triangulate)
-    throw base::usage_error(fmt::format("{}: a grid file has its own size; found --points or --slices without --triangulate", file));
+    throw base::usage_error(fmt::format("{}: a grid file has its own size; found --points or --slices without --triangulate", display_name(file)));
   if (!source.x_range.empty() || !source.y_range.empty())
     throw base::usage_error(fmt::format("{}: a grid file has its own ranges; found --x-range or --y-range", display_name(file)));
+  if (source.nodata) require_finite("--nodata", *source.nodata);
   scene::GridFileOptions options{source.columns, layout_named(source.layout), source.nodata, source.thin, {}};
   if (source.triangulate) options.triangulate = size;
   SkalaFunction function;

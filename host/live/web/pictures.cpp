@@ -85,7 +85,8 @@ std::string grid_text(const Workbench& workbench, const std::string& name) {
 
 // One line, for the page.
 std::string message_of(const base::Error& error) {
-  return fmt::format("{}: column {}: found {}, expected {}", error.file, error.place, error.found, error.expected);
+  const std::string place = error.place.empty() ? "" : fmt::format("column {}: ", error.place);
+  return fmt::format("{}: {}found {}, expected {}", error.file, place, error.found, error.expected);
 }
 
 // By "expression", over -"domain" to "domain"; or by the name of a function or of a file of the page. Sampled at "points" by

@@ -86,7 +86,7 @@ base::Result<HeightGrid> read_esri_grid(std::string_view bytes, std::string_view
   const auto slices = static_cast<std::size_t>(*header[nrows]);
   constexpr double usual_nodata = -9999;
   const double none = header[nodata].value_or(usual_nodata);
-  auto heights = words.heights(points * slices, [none](double height) { return height == none; });
+  auto heights = words.heights(points * slices, [none](double height) { return is_nodata(height, none); });
   if (words.error()) return *words.error();
   return even_grid({x, y}, {points, slices}, std::move(heights), RowOrder::north_first, source);
 }

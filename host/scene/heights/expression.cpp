@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <optional>
 
@@ -30,7 +31,15 @@ double sum(const double* v, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) total += v[i];
   return total;
 }
-double sign_of(const double* v, std::size_t /*count*/) { return v[0] < 0 ? -1 : v[0] > 0 ? 1 : 0; }
+// The least or the greatest value; not a number if a value is none.
+template <class Before>
+double best(const double* v, std::size_t count, Before before) {
+  double result = v[0];
+  for (std::size_t i = 1; i < count; ++i)
+    if (std::isnan(v[i]) || before(v[i], result)) result = v[i];
+  return result;
+}
+double sign_of(const double* v, std::size_t /*count*/) { return v[0] < 0 ? -1 : v[0] > 0 ? 1 : v[0] == 0 ? 0 : v[0]; }
 double negated(const double* v, std::size_t /*count*/) { return -v[0]; }
 double chosen(const double* v, std::size_t /*count*/) { return holds(v[0]) ? v[1] : v[2]; }
 
@@ -83,8 +92,8 @@ constexpr std::array<NamedFunction, 26> named_functions{{
     {"abs", 1, [](const double* v, std::size_t) { return std::abs(v[0]); }},
     {"sign", 1, sign_of},
     {"rint", 1, [](const double* v, std::size_t) { return std::floor(v[0] + 0.5); }},
-    {"min", 0, [](const double* v, std::size_t count) { return *std::min_element(v, v + count); }},
-    {"max", 0, [](const double* v, std::size_t count) { return *std::max_element(v, v + count); }},
+    {"min", 0, [](const double* v, std::size_t count) { return best(v, count, std::less<>()); }},
+    {"max", 0, [](const double* v, std::size_t count) { return best(v, count, std::greater<>()); }},
     {"sum", 0, sum},
     {"avg", 0, [](const double* v, std::size_t count) { return sum(v, count) / static_cast<double>(count); }},
 }};

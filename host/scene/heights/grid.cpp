@@ -58,7 +58,8 @@ HeightGrid thinned(const HeightGrid& grid, std::size_t step) {
     std::vector<double> left;
     for (std::size_t i = 0; i < places.size(); i += each) left.push_back(places[i]);
     const double last = left.back();
-    if (last < 1) domain.high = domain.low + (last / 2 + 0.5) * (domain.high - domain.low);
+    const double part = last / 2 + 0.5;
+    if (last < 1) domain.high = domain.low * (1 - part) + domain.high * part;
     return normalised(std::move(left), {-1, last});
   };
   HeightGrid result = grid;

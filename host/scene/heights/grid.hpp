@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -84,6 +85,13 @@ enum class RowOrder : std::uint8_t { south_first, north_first };
 
 // A number as the shortest text that reads back the same.
 [[nodiscard]] std::string shortest_text(double number);
+
+// Whether a height of a file is the value that stands for no height. Values beyond 1e30 need not have the same digits: those of a file of
+// floats rarely are what a header or a person writes.
+[[nodiscard]] inline bool is_nodata(double height, double nodata) {
+  constexpr double beyond_heights = 1e30;
+  return height == nodata || (std::abs(nodata) > beyond_heights && std::abs(height - nodata) <= 1e-5 * std::abs(nodata));
+}
 
 // The least and the greatest finite value. {0, 0} if there is none.
 [[nodiscard]] Interval finite_range(const std::vector<double>& values);

@@ -68,8 +68,8 @@ bool in_blocks(const HeightText& text) {
 bool has_few_columns(const HeightText& text) {
   const std::size_t columns = text.lines.front().fields.size();
   const std::size_t lines = text.lines.size();
-  if (columns < 3 || columns > most_point_columns) return false;
-  return in_blocks(text) || lines > (columns == 3 ? 3 : 3 * columns);
+  if (columns < 3) return false;
+  return in_blocks(text) || (columns <= most_point_columns && lines > (columns == 3 ? 3 : 3 * columns));
 }
 
 // One height a line, slices between blank lines.
@@ -194,17 +194,17 @@ base::Result<HeightSurface> read_any(std::string_view bytes, std::string_view so
   return read_layout(*lines, source, options);
 }
 
+// "4th"
+std::string ordinal(std::size_t number) {
+  const std::size_t last = number % 10;
+  const bool teen = number / 10 % 10 == 1;
+  return std::to_string(number) + (teen || last == 0 || last > 3 ? "th" : last == 1 ? "st" : last == 2 ? "nd" : "rd");
+}
+
 // "every 4th point of 3601 x 3601, 901 x 901"
 void add_thinning_note(std::string& note, std::size_t step, GridSize before, GridSize after) {
   const auto size_text = [](GridSize size) { return std::to_string(size.points) + " x " + std::to_string(size.slices); };
-  const std::size_t last = step % 10;
-  const bool teen = step / 10 % 10 == 1;
-  note += (note.empty() ? "" : "; ") + std::string("every ") + std::to_string(step) +
-          (teen || last == 0 || last > 3 ? "th"
-           : last == 1                   ? "st"
-           : last == 2                   ? "nd"
-                                         : "rd") +
-          " point of " + size_text(before) + " is taken, a grid of " + size_text(after);
+  note += (note.empty() ? "" : "; ") + std::string("every ") + ordinal(step) + " point of " + size_text(before) + " is taken, a grid of " + size_text(after);
 }
 
 GridSize size_of(const HeightGrid& grid) { return {grid.points(), grid.slices()}; }
@@ -223,20 +223,12 @@ std::optional<base::Error> make_smaller(Surface& surface, const GridFileOptions&
   const std::size_t step = (std::max(size.points, size.slices) + most - 1) / most * options.thin.value_or(1);
   return base::Error{std::string(source), "", count_of(size.slices, "slice") + " of " + count_of(size.points, "point"),
                      "at most 1024 of 1024",
-                     "--thin " + std::to_string(step) + " takes every " + std::to_string(step) +
-                         (step == 2   ? "nd"
-                          : step == 3 ? "rd"
-                                      : "th") +
-                         " point"};
+                     "--thin " + std::to_string(step) + " takes every " + ordinal(step) + " point"};
 }
 
 // Makes holes of the heights that a person named with --nodata.
 void remove_nodata(HeightGrid& grid, double nodata) {
-  // A large value of a file of floats rarely has the same digits as the one that a person types.
-  constexpr double beyond_heights = 1e30;
-  const auto is_none = [nodata](double height) {
-    return height == nodata || (std::abs(nodata) > beyond_heights && std::abs(height - nodata) <= 1e-5 * std::abs(nodata));
-  };
+  const auto is_none = [nodata](double height) { return is_nodata(height, nodata); };
   std::replace_if(grid.heights.begin(), grid.heights.end(), is_none, std::numeric_limits<double>::quiet_NaN());
 }
 

@@ -198,7 +198,7 @@ class Points {
   [[nodiscard]] std::array<double, 2> place(const HeightLine& line) const { return {value(line, 0), value(line, 1)}; }
   [[nodiscard]] double height_of(const HeightLine& line) const {
     const double height = value(line, 2);
-    return options_.nodata && height == *options_.nodata ? nan : height;
+    return options_.nodata && is_nodata(height, *options_.nodata) ? nan : height;
   }
   [[nodiscard]] std::array<std::string, 3> names() const {
     std::array<std::string, 3> all;

@@ -125,8 +125,9 @@ class LineReader {
       const auto value = number(field.text);
       if (!value) {
         const std::size_t index = result.fields.size();
-        const bool first = std::none_of(words.begin(), words.end(), [index](const auto& word) { return word.first == index; });
-        if (first) words.emplace_back(index, base::Error{source_, place_of(line.number, field.column), shown(field.text), expected_for(field.text)});
+        if (index >= has_word_.size()) has_word_.resize(index + 1);
+        if (!has_word_[index]) words.emplace_back(index, base::Error{source_, place_of(line.number, field.column), shown(field.text), expected_for(field.text)});
+        has_word_[index] = true;
       }
       result.fields.push_back({value.value_or(std::numeric_limits<double>::quiet_NaN()), field.column});
     }
@@ -230,6 +231,7 @@ class LineReader {
   char separator_;
   bool separator_ends_line_ = false;  // of every line
   std::vector<RawField> fields_;
+  std::vector<bool> has_word_;  // by column
   std::string decimal_;
   std::optional<base::Error> error_;
 };
@@ -268,7 +270,7 @@ base::Result<HeightText> read_height_text(std::string_view text, std::string_vie
     HeightLine fields;
     if (!reader.read(line, fields, result.words)) return reader.error();
     numbers += fields.fields.size();
-    if (numbers > most_numbers + lines.size()) {
+    if (numbers > most_numbers + std::min(lines.size(), largest_file_grid.slices + 1)) {
       return base::Error{std::string(source), place_of(line.number, 1), "more than " + std::to_string(most_numbers) + " numbers", "at most that",
                          "thin the file, or save it in a grid format, such as an ESRI ASCII grid, and use --thin"};
     }

@@ -68,7 +68,7 @@ enum class GltfMode : std::uint8_t { points, lines, line_loop, line_strip, trian
 
 // Extensions that say how a mesh looks, not where it is, and those that are read.
 bool is_harmless_extension(std::string_view extension) {
-  for (const std::string_view family : {"KHR_materials_", "KHR_texture_", "KHR_lights_", "EXT_texture_"})
+  for (const std::string_view family : {"KHR_materials_", "KHR_texture_", "KHR_lights_", "KHR_animation_", "EXT_texture_", "EXT_lights_"})
     if (extension.starts_with(family)) return true;
   for (const std::string_view name : {"KHR_draco_mesh_compression", "KHR_mesh_quantization", "KHR_xmp", "KHR_xmp_json_ld",
                                       "MSFT_texture_dds", "KHR_technique_webgl", "KHR_techniques_webgl"})
@@ -119,7 +119,7 @@ class GltfReader {
     if (required == nullptr) return;
     for (const base::Json& name : required->elements()) {
       if (name.text() == nullptr || is_harmless_extension(*name.text())) continue;
-      document_.fail("extensionsRequired", "found " + quoted_excerpt(*name.text()), "no such extension of the geometry",
+      document_.fail("extensionsRequired", "found " + quoted_excerpt(*name.text()), "extensions that this program knows",
                      "export without it");
     }
   }
@@ -136,7 +136,7 @@ class GltfReader {
       scene = document_.entry("scenes", *chosen, "scene");
     } else if (scenes != nullptr && scenes->size() > 0) {
       scene = scenes->is_array() ? GltfEntry{&(*scenes)[0], "scenes[0]"}
-                                 : GltfEntry{&scenes->members()[0].value, "scenes." + scenes->members()[0].key};
+                                 : GltfEntry{&scenes->members()[0].value, "scenes." + printable_name(scenes->members()[0].key)};
     } else {
       push_roots();
       return;
@@ -156,7 +156,8 @@ class GltfReader {
           children.insert(entry->json);
     }
     for (std::size_t i = nodes->elements().size(); i-- > 0;)
-      if (!children.contains(&(*nodes)[i])) pending_.push_back({{&(*nodes)[i], base::indexed("nodes", i)}, no_transform});
+      if (!children.contains(&(*nodes)[i]) && seen_.insert(&(*nodes)[i]).second)
+        pending_.push_back({{&(*nodes)[i], base::indexed("nodes", i)}, no_transform});
   }
 
   // The nodes that a member lists, so that the first one is read first.
@@ -171,16 +172,16 @@ class GltfReader {
     for (std::size_t i = list->size(); i-- > 0;) {
       const auto node = document_.entry("nodes", (*list)[i], base::indexed(place, i));
       if (!node) return;
+      if (!seen_.insert(node->json).second) {
+        document_.fail(node->place, "found a node that is its own descendant or has two parents", "a tree of nodes");
+        return;
+      }
       pending_.push_back({*node, above});
     }
   }
 
   void read_node(const Pending& pending) {
     const GltfEntry& node = pending.node;
-    if (!seen_.insert(node.json).second) {
-      document_.fail(node.place, "found a node that is its own descendant or has two parents", "a tree of nodes");
-      return;
-    }
     const Transform here = product(pending.above, transform_of(node));
     const base::Json* const name = node.json->find("name");
     // A node of glTF 1 has a key instead of a number, and several meshes.
@@ -280,8 +281,8 @@ class GltfReader {
       const auto whose = document_.entry_of("accessors", entry, "indices");
       indices = whose ? document_.accessor(*whose) : std::nullopt;
       if (!indices) return;
-      if (indices->components != 1 || indices->is_float) {
-        document_.fail(whose->place, "found indices that are no whole numbers",
+      if (indices->components != 1 || indices->is_float || indices->is_signed) {
+        document_.fail(whose->place, "found indices that are no whole numbers from 0",
                        "\"SCALAR\" of component type 5121, 5123 or 5125");
         return;
       }
@@ -312,6 +313,7 @@ class GltfReader {
     const std::uint64_t faces = mode == GltfMode::triangles ? count / 3 : count - std::min<std::uint64_t>(count, 2);
     if (mode == GltfMode::triangles) left_over_ += count % 3;
     if (!take_corners(3 * faces, mesh.place)) return;
+    const std::size_t beyond_before = beyond_;
     for (std::uint64_t f = 0; f < faces; ++f) {
       std::array<std::uint64_t, 3> face{f, f + 1, f + 2};
       if (mode == GltfMode::triangles) face = {3 * f, 3 * f + 1, 3 * f + 2};
@@ -327,9 +329,9 @@ class GltfReader {
       }
       for (const std::uint64_t v : face) mesh.corners.push_back(static_cast<std::uint32_t>(v));
     }
-    if (mesh.corners.empty() && faces > 0 && beyond_ > 0)
+    if (mesh.corners.empty() && beyond_ > beyond_before)
       document_.fail(mesh.place + ".indices", "found no face whose vertices are all there",
-                     "numbers below " + std::to_string(position.count));
+                     position.count == 0 ? "positions" : "numbers below " + std::to_string(position.count));
   }
 
   // The vertices of the corners.

@@ -218,7 +218,7 @@ std::optional<std::string> GltfDocument::bytes_of(const std::string& uri, const 
   const std::filesystem::path root = std::filesystem::canonical(folder_, failed);
   const std::filesystem::path path = std::filesystem::weakly_canonical(root / name, failed);
   const auto [end, unused] = std::mismatch(root.begin(), root.end(), path.begin(), path.end());
-  if (failed || end != root.end() || name.starts_with('/') || name.find('\0') != std::string::npos) {
+  if (failed || root.empty() || end != root.end() || name.starts_with('/') || name.find('\0') != std::string::npos) {
     fail(place, shown + ", which is outside of the file's folder, and not read", "",
          "move both files into one folder and write its name here");
     return std::nullopt;
@@ -310,7 +310,6 @@ bool GltfDocument::read_sparse(const GltfEntry& sparse, GltfAccessor& accessor) 
     fail(where.place + ".componentType", "found " + std::to_string(*type), "5121, 5123 or 5125");
     return false;
   }
-  accessor.place_type = static_cast<unsigned>(*type);
   accessor.place_size = component_size(*type);
   const auto places = part_of_view(where, where.place, *count, accessor.place_size, accessor.place_size);
   const std::size_t element = accessor.components * accessor.size;
@@ -344,6 +343,7 @@ std::optional<GltfAccessor> GltfDocument::accessor(const GltfEntry& entry) {
   accessor.type = static_cast<unsigned>(*type);
   accessor.size = component_size(*type);
   accessor.is_float = *type == gltf_float32;
+  accessor.is_signed = *type == gltf_int8 || *type == gltf_int16;
   if (accessor.size == 0) {
     fail(entry.place + ".componentType", "found " + std::to_string(*type), "5120 to 5123, 5125 or 5126");
     return std::nullopt;
@@ -363,7 +363,7 @@ std::optional<GltfAccessor> GltfDocument::accessor(const GltfEntry& entry) {
   const base::Json* const normalized = entry.json->find("normalized");
   if (normalized != nullptr && normalized->boolean().value_or(false) && !accessor.is_float)
     accessor.unit =
-        1 / (std::ldexp(1.0, static_cast<int>(8 * accessor.size) - (*type == gltf_int8 || *type == gltf_int16 ? 1 : 0)) - 1);
+        1 / (std::ldexp(1.0, static_cast<int>(8 * accessor.size) - (accessor.is_signed ? 1 : 0)) - 1);
   const std::size_t element = accessor.components * accessor.size;
   if (entry.json->find("bufferView") != nullptr) {
     // glTF 1 has the stride here, and 0 for none.

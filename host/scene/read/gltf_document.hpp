@@ -26,6 +26,7 @@ class GltfAccessor {
   std::uint64_t count = 0;
   std::size_t components = 0;
   bool is_float = false;
+  bool is_signed = false;  // a whole number that can be negative
 
   // Component c of element i; i < count, c < components.
   [[nodiscard]] double value(std::uint64_t i, std::size_t c) const;
@@ -41,7 +42,6 @@ class GltfAccessor {
   std::size_t stride = 0;
   std::uint64_t sparse = 0;  // elements that are replaced
   std::string_view places;   // their numbers, ascending
-  unsigned place_type = 0;
   std::size_t place_size = 0;
   std::string_view values;
 };

@@ -22,6 +22,7 @@ base::Result<PolyMesh> read_three_mf(std::string_view, std::string_view source) 
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
@@ -176,7 +177,7 @@ class ThreeMfReader {
 
   // --- parts
 
-  // Names of parts begin with a slash and differ by more than case.
+  // Names of parts are compared without their first slash and without case.
   static std::string entry_key(std::string_view name) {
     std::string key = base::lower_case(name);
     std::replace(key.begin(), key.end(), '\\', '/');
@@ -233,14 +234,18 @@ class ThreeMfReader {
     const auto found = modifiers_.find(id);
     if (found == modifiers_.end()) return;
     const std::size_t count = mesh.corners.size() / 3;
-    std::vector<bool> left_out(count);
+    // How many modifiers begin and end at each triangle.
+    std::vector<std::int32_t> changes(count + 1);
     for (const auto& [first, last] : found->second) {
       leave_out("modifier", "modifiers");
-      for (std::uint64_t t = first; t <= last && t < count; ++t) left_out[t] = true;
+      if (first >= count || first > last) continue;
+      ++changes[first];
+      --changes[std::min<std::uint64_t>(last, count - 1) + 1];
     }
+    std::partial_sum(changes.begin(), changes.end(), changes.begin());
     std::vector<std::uint32_t> kept;
     for (std::size_t c = 0; c < mesh.corners.size(); ++c)
-      if (!left_out[c / 3]) kept.push_back(mesh.corners[c]);
+      if (changes[c / 3] == 0) kept.push_back(mesh.corners[c]);
     mesh.corners = std::move(kept);
   }
 
@@ -317,7 +322,7 @@ class ThreeMfReader {
   bool can_do_without(pugi::xml_node model, const std::string& part) {
     std::string_view required = model.attribute("requiredextensions").value();
     while (!required.empty()) {
-      const std::string_view prefix = required.substr(0, required.find(' '));
+      const std::string_view prefix = required.substr(0, required.find_first_of(" \t\r\n"));
       required.remove_prefix(std::min(prefix.size() + 1, required.size()));
       const std::string_view space = namespace_of(model, prefix);
       bool harmless = prefix.empty();
@@ -334,6 +339,10 @@ class ThreeMfReader {
 
   void read_object(pugi::xml_node node, std::size_t part) {
     const std::string id = node.attribute("id").value();
+    if (objects_.size() == most_placed_copies) {
+      fail(parts_[part].name, "found more than " + std::to_string(most_placed_copies) + " objects", "fewer");
+      return;
+    }
     ThreeMfObject object;
     object.part = part;
     object.mesh.place = parts_[part].name + ", object " + printable_name(id);
@@ -430,6 +439,10 @@ class ThreeMfReader {
   // Of a component or build item.
   ThreeMfComponent component(pugi::xml_node node, const std::string& place) {
     ThreeMfComponent result;
+    if (++references_ > most_placed_copies) {
+      fail(place, "found more than " + std::to_string(most_placed_copies) + " items and components", "fewer");
+      return result;
+    }
     result.part = part_named_by(node);
     result.object = node.attribute("objectid").value();
     const std::string_view written = node.attribute("transform").value();
@@ -560,6 +573,7 @@ class ThreeMfReader {
   std::vector<ThreeMfPart> parts_;  // the first one is the archive's model
   std::vector<ThreeMfObject> objects_;
   std::vector<ThreeMfComponent> items_;
+  std::size_t references_ = 0;  // items and components
   std::map<std::string, std::vector<std::array<std::uint64_t, 2>>> modifiers_;  // the first and last triangle of each, by object
   std::size_t built_corners_ = 0;
   std::map<std::pair<std::string, std::string>, std::size_t> left_out_;  // one and several of what, and how many

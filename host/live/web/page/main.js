@@ -32,7 +32,7 @@ export async function begin(wasm, shelf) {
   const about = {root: document.getElementById('credits').content.firstElementChild, enter() {}, leave() {}, key: () => false, link: () => 'about', open: part => { if (part) throw new Error(`About has no part "${part}".`); }};
   const opened = {};
   const make = {
-    jones: () => new Pdp7Tab(module, examples.filter(each => each.room), examples.filter(each => each.machine === 'solid'), remember), skala: () => new I8080Tab(module, lists.functions, remember),
+    jones: () => new Pdp7Tab(module, examples.filter(each => each.tab), examples.filter(each => each.machine === 'solid'), remember), skala: () => new I8080Tab(module, lists.functions, remember),
     bench: () => new Workbench(module, examples.filter(each => each.machine !== 'solid'), remember), theatre: () => new Theatre(module, lists.lessons, remember), about: () => about,
   };
   const anchors = Object.fromEntries(TABS.map(([name, title]) => [name, element('a', {href: '#' + name, textContent: title})]));

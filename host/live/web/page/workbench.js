@@ -191,7 +191,7 @@ export class Workbench {
     this.editor.scrollTop = Math.max(0, (line - 5) * (this.editor.scrollHeight / Math.max(1, lines.length)));
   }
 
-  // Unloads the program; Run and Reset repeat the complaint.
+  // Unloads the program; Run and Reset repeat the error.
   unload(complaint) {
     this.complaint = complaint;
     if (this.id) this.module.ask({do: 'drop', id: this.id});

@@ -75,7 +75,7 @@ TEST(Ring, DoesWhatAVectorDoes) {
 
 TEST(EqualPoints, AreTheFirstOfEach) {
   std::mt19937 random(11);
-  for (const std::size_t count : {0, 1, 2, 50, 700}) {
+  for (const std::size_t count : {0U, 1U, 2U, 50U, 700U}) {
     std::vector<PolyPoint> points(count);
     for (PolyPoint& p : points)
       for (std::int32_t& c : p) c = static_cast<std::int32_t>(random() % 7) - 3 - (random() % 40 == 0 ? poly_coordinate_limit / 2 : 0);
