@@ -33,12 +33,6 @@ constexpr std::array presets{
     Preset{"SE", {-1, -1, 1}},          Preset{"SW", {1, -1, 1}},
 };
 
-std::vector<std::string> preset_names() {
-  std::vector<std::string> names;
-  for (const Preset& each : presets) names.emplace_back(each.name);
-  return names;
-}
-
 // Parses three numbers; if `whole`, whole numbers below `limit` in magnitude.
 Vector vector_argument(std::string_view option, const std::string& text, bool whole, std::int32_t limit) {
   if (whole) {
@@ -238,6 +232,12 @@ Vector rotate(const scene::SceneFrame& frame, const Vector& p, int number, int c
 
 }  // namespace
 
+std::vector<std::string> preset_names() {
+  std::vector<std::string> names;
+  for (const Preset& each : presets) names.emplace_back(each.name);
+  return names;
+}
+
 void add_camera_options(const Command& command, CameraArguments& arguments) {
   const auto add = [&](const char* name, std::string& value, const char* help) {
     command.option(name, value, help).value("X,Y,Z").group("View");
@@ -302,8 +302,7 @@ scene::SceneFrame frame_of(const CameraArguments& arguments, const scene::PolySc
   return frame;
 }
 
-AimedCamera aimed_camera_of(const CameraArguments& given, const scene::PolyScene& scene,
-                            const std::string& source) {
+AimedCamera camera_anywhere(const CameraArguments& given, const scene::PolyScene& scene) {
   const CameraArguments arguments = with_eye(given);
   reject_mutually_exclusive(arguments);
   AimedCamera aimed;
@@ -316,10 +315,19 @@ AimedCamera aimed_camera_of(const CameraArguments& given, const scene::PolyScene
       aimed.camera.perspective = true;
     }
   }
-  if (auto error = scene::eye_error(scene, aimed.camera)) {
-    error->file = source;
-    throw base::bad_input(error->message());
-  }
+  return aimed;
+}
+
+void require_free_eye(const scene::PolyScene& scene, const scene::PolyCamera& camera, const std::string& source) {
+  auto error = scene::eye_error(scene, camera);
+  if (!error) return;
+  error->file = source;
+  throw base::bad_input(error->message());
+}
+
+AimedCamera aimed_camera_of(const CameraArguments& arguments, const scene::PolyScene& scene, const std::string& source) {
+  const AimedCamera aimed = camera_anywhere(arguments, scene);
+  require_free_eye(scene, aimed.camera, source);
   return aimed;
 }
 

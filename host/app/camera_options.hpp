@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "host/app/command_line.hpp"
 #include "host/base/json.hpp"
@@ -51,6 +52,14 @@ struct AimedCamera {
   scene::PolyCamera camera;
   double error = 0;  // degrees
 };
+
+// The names of standard views, the values of --view.
+[[nodiscard]] std::vector<std::string> preset_names();
+
+// The scene's own camera, changed by the options, wherever its eye is. Error usage: options that contradict each other or are no vectors.
+[[nodiscard]] AimedCamera camera_anywhere(const CameraArguments& arguments, const scene::PolyScene& scene);
+// Error bad_input: the eye is inside a solid or on a face, which the error names. `source` is the scene's name in errors.
+void require_free_eye(const scene::PolyScene& scene, const scene::PolyCamera& camera, const std::string& source);
 
 // The scene's own camera, changed by the options; in free space, unless it is orthographic. `source` is the scene's name in
 // errors. Error usage: options that contradict each other or are no vectors. Error bad_input: the eye is inside a solid or

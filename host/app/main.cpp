@@ -55,7 +55,8 @@ void add_commands(const Command& program, std::string_view first_word) {
 // one: otherwise the kernel clears new pages each time, which is a tenth of the time of a drawing.
 void keep_freed_memory() {
 #if defined(__GLIBC__)
-  static_cast<void>(mallopt(M_MMAP_THRESHOLD, 1 << 30));
+  // Before glibc 2.35 the threshold cannot be so high; then nothing is changed.
+  if (mallopt(M_MMAP_THRESHOLD, 1 << 30) == 0) return;
   static_cast<void>(mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max()));
 #endif
 }

@@ -111,7 +111,7 @@ struct ViewOptions {
   bool hidden = false;  // also draw the hidden parts of the edges, dashed
   Layers layers = Layers::kind;
   std::optional<HatchOptions> hatch = {};  // faces are shaded by lines
-  // The faces of this material are the cut faces of a section (scene::section_of). They are hatched, 2 units of the field apart.
+  // Of a section (scene::section_of): its cut faces are hatched, with lines 2 units of the field apart.
   std::optional<std::uint32_t> cut_material = {};
   picture::DrawingField field = {};        // the size of the drawing, and the part of the image that it shows
   bool strokes = false;                    // fill in Drawing::strokes
@@ -194,13 +194,13 @@ struct SheetView {
 // the front) or in first-angle projection (it lies below), ISO 5456-2. Views in one row or column are aligned.
 class SheetLayout {
  public:
-  // The views together fill the field, `gap` units apart, unless it has a scale. The scene outlives the layout.
+  // The views together fill the field, `gap` units apart, unless it has a scale. 
   SheetLayout(const scene::PolyScene& scene, std::span<const SheetView> views, const picture::DrawingField& field, bool first_angle,
               double gap = 10);
 
   // With the scale of the sheet, for ViewOptions::field.
   [[nodiscard]] const picture::DrawingField& field() const { return field_; }
-  // All drawings on one sheet, as large as the field or larger; made with field() of the views in their order. Their strokes are moved to
+  // All drawings on one sheet as large as the field. They are made with field(), in the order of the views. Their strokes are moved to
   // their places.
   [[nodiscard]] picture::VectorDrawing sheet(std::span<Drawing> drawings) const;
 

@@ -77,12 +77,16 @@ SheetLayout::SheetLayout(const scene::PolyScene& scene, std::span<const SheetVie
   }
   const Place size{field.width, field.height};
   Place needed{};  // by the views, in units of the scene
-  Place gaps{};    // between them, in units of the field
+  Place step{};    // from one to the next, in units of the field
+  Place gaps{};    // all of these
   double scale = std::numeric_limits<double>::infinity();
   for (std::size_t a = 0; a < 2; ++a) {
     for (const auto& [number, line] : lines[a]) needed[a] += line.before + line.after;
-    gaps[a] = gap * static_cast<double>(lines[a].size() - 1);
-    if (needed[a] > 0) scale = std::min(scale, std::max(size[a] - gaps[a], size[a] / 2) / needed[a]);
+    // The gaps take at most half of the field.
+    const auto between = static_cast<double>(lines[a].size()) - 1;
+    if (between > 0) step[a] = std::min(gap, size[a] / 2 / between);
+    gaps[a] = step[a] * between;
+    if (needed[a] > 0) scale = std::min(scale, (size[a] - gaps[a]) / needed[a]);
   }
   if (!field_.scale) field_.scale = scale < std::numeric_limits<double>::infinity() ? scale : 1;
   // The views together lie in the middle of the field.
@@ -91,7 +95,7 @@ SheetLayout::SheetLayout(const scene::PolyScene& scene, std::span<const SheetVie
     double at = (size[a] - needed[a] * *field_.scale - gaps[a]) / 2;
     for (const auto& [number, line] : lines[a]) {
       places[a][number] = at + line.before * *field_.scale;
-      at += (line.before + line.after) * *field_.scale + gap;
+      at += (line.before + line.after) * *field_.scale + step[a];
     }
   }
   for (const Cell& cell : cells) on_sheet_.push_back({places[0][cell.column], places[1][cell.row]});
@@ -107,7 +111,9 @@ picture::VectorDrawing SheetLayout::sheet(std::span<Drawing> drawings) const {
     for (std::size_t a = 0; a < 2; ++a) shift[a] = on_sheet_[i][a] - (in_image_[i][a] - drawings[i].window.low[a]) * *field_.scale;
     std::vector<std::uint32_t> layers;
     for (const picture::DrawingLayer& layer : drawing.layers) {
-      auto same = std::find_if(sheet.layers.begin(), sheet.layers.end(), [&](const picture::DrawingLayer& l) { return l.label == layer.label; });
+      auto same = std::find_if(sheet.layers.begin(), sheet.layers.end(), [&](const picture::DrawingLayer& l) {
+        return l.label == layer.label && l.colour == layer.colour && l.dash == layer.dash;
+      });
       if (same == sheet.layers.end()) same = sheet.layers.insert(same, layer);
       layers.push_back(static_cast<std::uint32_t>(same - sheet.layers.begin()));
     }

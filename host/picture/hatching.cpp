@@ -78,7 +78,7 @@ class Hatcher {
 
   [[nodiscard]] bool is_cut(std::uint32_t face) const {
     const std::vector<std::uint32_t>& materials = result_.scene.material_of;
-    return cut_material_ && !materials.empty() && materials[face] == *cut_material_;
+    return cut_material_ && !materials.empty() && materials[face] >= *cut_material_;
   }
 
   void add(const scene::PolyFace& face, std::size_t body, std::uint32_t number) {
@@ -90,7 +90,10 @@ class Hatcher {
                                                         : geometry::vector_of(camera_.forward);
     const int facing = -geometry::sign(geometry::wide_dot(normal, sight));
     if (facing == 0 || (facing < 0 && !sheet)) return;
-    if (cut) return lines(face, normal, body % 2 == 0 ? HatchDirection::cut : HatchDirection::cut_across, 1, number);
+    if (cut) {
+      const bool second = (result_.scene.material_of[number] - *cut_material_) % 2 != 0;
+      return lines(face, normal, second ? HatchDirection::cut_across : HatchDirection::cut, 1, number);
+    }
     RealVector shaded = geometry::unit(geometry::real_vector(normal));
     if (!result_.scene.surfaces.empty() && !sheet) shaded = result_.scene.surfaces[result_.scene.surface_of[number]].normal;
     double light = geometry::dot(shaded, light_);

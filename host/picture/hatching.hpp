@@ -28,7 +28,7 @@ struct HatchOptions {
   double spacing = 1;               // distance of the densest lines, in units of the drawing
   std::array<double, 3> light{};    // towards the light, of any length except 0, in the axes of the scene
   bool shade = true;                // hatch faces by their light; otherwise only the cut faces of a section
-  // The faces of this material are cut by a section. They have lines at 45 degrees, in every second body at 135 degrees.
+  // Faces of this material and of higher ones are cut by a section. They have lines at 45 degrees, those of the next material at 135 degrees.
   std::optional<std::uint32_t> cut_material = {};
   double cut_spacing = 2;           // distance of these lines, in units of the drawing
 };

@@ -335,13 +335,18 @@ std::vector<scene::SectionPlane> section_planes(const std::vector<std::string>& 
   return planes;
 }
 
-// What is left of a scene behind the planes of --section.
-scene::Section cut_open(const DrawLinesArguments& arguments, const scene::LoadedScene& source) {
-  const AimedCamera aimed = aimed_camera_of(arguments.camera, source.scene, source.name);
-  const auto planes = section_planes(arguments.section, source.scene, aimed.camera);
+// The part of a scene behind the planes of --section. `aimed`: the camera, of the whole scene; then of that part.
+scene::Section cut_open(const DrawLinesArguments& arguments, const scene::LoadedScene& whole, AimedCamera& aimed) {
+  const auto planes = section_planes(arguments.section, whole.scene, aimed.camera);
   scene::PolyImportOptions options;
-  options.eye = arguments.mesh.eye;
-  return value_of(scene::section_of(source, planes, options), source.name);
+  if (aimed.camera.perspective) options.eye = scene::file_point(whole.scene, aimed.camera.eye);
+  scene::Section section = value_of(scene::section_of(whole, planes, options), whole.name);
+  for (const std::string& note : section.notes) warn(fmt::format("{}: {}", whole.name, note));
+  const scene::PolyScene& scene = section.loaded.scene;
+  // Without perspective the eye is only the origin of the image.
+  const auto eye = scene::grid_point(scene, scene::file_point(whole.scene, aimed.camera.eye));
+  aimed.camera.eye = eye ? *eye : scene::bounds_of(scene).middle();
+  return section;
 }
 
 // Converts the options of the command to options of the views.
@@ -397,7 +402,7 @@ ExitCode draw_sheet(const registry::LineAlgorithm& algorithm, const DrawLinesArg
   static_cast<void>(open_outputs(outputs, arguments.json, "-: named by --output and --strokes"));
   const hidden_lines::Views prepared = views_of(source, options, cameras);
   std::vector<hidden_lines::Drawing> drawings;
-  Json documents = Json::array();
+  std::vector<Json> documents;
   std::size_t stroke_count = 0;
   double length = 0;
   base::ProgressLine line;
@@ -413,7 +418,7 @@ ExitCode draw_sheet(const registry::LineAlgorithm& algorithm, const DrawLinesArg
   }
   const picture::VectorDrawing sheet = layout.sheet(drawings);
   if (!arguments.output.scale.empty()) require_room(sheet, arguments.output);
-  write_drawing(sheet, arguments.output, format, source.name, *file);
+  const auto plot = write_drawing(sheet, arguments.output, format, source.name, *file);
   if (strokes) {
     std::string lines;
     for (const hidden_lines::Drawing& drawing : drawings) lines += hidden_lines::json_lines(drawing.strokes, arguments.output.paper.margin);
@@ -421,7 +426,12 @@ ExitCode draw_sheet(const registry::LineAlgorithm& algorithm, const DrawLinesArg
     strokes->commit();
   }
   if (arguments.json) {
-    print_json(documents);
+    Json all = Json::array();
+    for (Json& document : documents) {
+      if (plot) document["plot"] = *plot;  // of the sheet
+      all.push_back(std::move(document));
+    }
+    print_json(all);
     return ExitCode::ok;
   }
   const double unit = scene::millimetres(source.report.unit) * source.scene.step;
@@ -453,9 +463,13 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
   arguments.mesh.eye = eye_of(arguments.camera);
   const scene::LoadedScene whole =
       load_scene(arguments.scene, arguments.mesh, algorithm.draws_crossings ? Wires::keep : Wires::remove);
+  if (whole.cells && algorithm.draws_crossings && (options.edges.are_given() || !arguments.section.empty()))
+    warn(fmt::format("{}: the outer box is left out: --edges, --crease, --all-edges and --section draw the edges of solids and walls", whole.name));
+  AimedCamera aimed;
+  if (arguments.views.empty()) aimed = camera_anywhere(arguments.camera, whole.scene);
   std::optional<scene::Section> section;
   if (!arguments.section.empty()) {
-    section = cut_open(arguments, whole);
+    section = cut_open(arguments, whole, aimed);
     options.cut_material = section->cut_material;
     if (whole.scene.surfaces.empty() && !options.edges.crease) options.edges.crease = 0;
   }
@@ -463,7 +477,7 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
   const std::size_t faces = scene::face_count(source.scene);
   reject_long_work(source, algorithm.name, algorithm.mesh_time, arguments.go_on);
   if (!arguments.views.empty()) return draw_sheet(algorithm, arguments, source, std::move(options), format);
-  const AimedCamera aimed = aimed_camera_of(arguments.camera, source.scene, source.name);
+  require_free_eye(source.scene, aimed.camera, source.name);
   const std::optional<double> extent = image_field(arguments.field, source.scene, aimed.camera);
   options.field = field_of(arguments, format, extent, scale_of(arguments.output, source, aimed.camera));
   reject_wider_margin(arguments, aimed.camera);
@@ -480,9 +494,6 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
       throw base::bad_input(error->message());
     }
   }
-  if (source.cells && algorithm.draws_crossings && options.edges.are_given())
-    warn(fmt::format("{}: the outer box is left out: --edges, --crease and --all-edges choose among the edges of solids and walls",
-                     source.name));
   std::optional<hidden_lines::Views> views;
   std::optional<base::ProgressLine> line(std::in_place);
   // All drawings are checked to fit before the first one is written.
@@ -558,6 +569,7 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
             .option("--views", arguments->views,
                     "Draw several views, as --view names them, on one sheet at one scale in third-angle projection: front,top,right,iso")
             .separated_by(',')
+            .one_of(preset_names())
             .value("NAME,...")
             .group("View")
             .excludes(turntable);

@@ -88,6 +88,7 @@ class Ring {
     std::copy(first, last, data());
     size_ = static_cast<std::uint32_t>(count);
   }
+  // The range is no part of this ring.
   template <std::forward_iterator Iterator>
   iterator insert(const_iterator before, Iterator first, Iterator last) {
     const auto at = static_cast<std::size_t>(before - begin());

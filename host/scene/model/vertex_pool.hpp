@@ -57,7 +57,10 @@ class VertexPool {
   static constexpr VertexIndex none = 0xffffffff;
   using Bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t>;
 
-  static bool are_same(const Point& a, const Point& b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
+  // By their bits: NaN equals itself, and there is no -0.
+  static bool are_same(const Point& a, const Point& b) {
+    return std::bit_cast<std::array<Bits, 3>>(a) == std::bit_cast<std::array<Bits, 3>>(b);
+  }
 
   static std::uint64_t hash(const Point& point) {
     std::uint64_t h = 0;

@@ -740,11 +740,7 @@ class Mending {
       report_.sheets += parts_[p].solid() ? 0U : 1U;
       report_.one_sided += parts_[p].one_sided ? 1U : 0U;
     }
-    if (const auto pairs = enclosed_bounds(solids); !pairs.empty()) {
-      std::vector<std::vector<std::uint32_t>> inner(parts_.size());
-      for (const auto& [outer, within] : pairs) inner[outer].push_back(within);
-      nest(inner);
-    }
+    if (const auto inner = enclosed_bounds(solids); !inner.empty()) nest(inner);
     for (std::uint32_t f = 0; f < pieces_.size(); ++f) {
       const Part& part = parts_[part_of_[f]];
       const bool inside_out = part.solid() && (part.volume > 0) != (part.depth % 2 == 0);
@@ -753,11 +749,11 @@ class Mending {
     }
   }
 
-  // Pairs of solids of which the bounds of the first are around those of the second. The low corners are sorted into cells, about
-  // one a solid, and those in the cells of the other's bounds are tried.
-  [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> enclosed_bounds(const std::vector<std::uint32_t>& solids) const {
-    std::vector<std::array<std::uint32_t, 2>> pairs;
-    if (solids.size() < 2) return pairs;
+  // For each part the solids whose bounds are within its own; empty if there are none. The low corners are sorted into cells, about
+  // one per solid, and those in the cells of a solid's bounds are tried.
+  [[nodiscard]] std::vector<std::vector<std::uint32_t>> enclosed_bounds(const std::vector<std::uint32_t>& solids) const {
+    std::vector<std::vector<std::uint32_t>> inner;
+    if (solids.size() < 2) return inner;
     PolyPoint low = parts_[solids[0]].low;
     PolyPoint high = low;
     for (const std::uint32_t p : solids) {
@@ -787,12 +783,15 @@ class Mending {
           // Cells along z follow each other.
           const std::size_t begin = starts[cell(x, y, place(around.low, 2))];
           const std::size_t end = starts[cell(x, y, place(around.high, 2)) + 1];
-          for (std::size_t i = begin; i < end; ++i)
-            if (within(parts_[members[i]], around)) pairs.push_back({outer, members[i]});
+          for (std::size_t i = begin; i < end; ++i) {
+            if (!within(parts_[members[i]], around)) continue;
+            inner.resize(parts_.size());
+            inner[outer].push_back(members[i]);
+          }
         }
       }
     }
-    return pairs;
+    return inner;
   }
 
   [[nodiscard]] bool within(const Part& inner, const Part& outer) const {

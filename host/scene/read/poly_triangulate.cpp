@@ -87,6 +87,20 @@ bool join(Corners& ring, const Corners& hole, const std::vector<Corners>& holes)
   return false;
 }
 
+// Joins a hole that shares a point with the ring at that point. False if there is none.
+bool join_at_common_point(Corners& ring, const Corners& hole) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    for (std::size_t k = 0; k < hole.size(); ++k) {
+      if (ring[i].at != hole[k].at || !leaves_inwards(ring, i, after(hole, k).at)) continue;
+      Corners loop;
+      for (std::size_t n = 1; n <= hole.size(); ++n) loop.push_back(hole[(k + n) % hole.size()]);
+      ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(i) + 1, loop.begin(), loop.end());
+      return true;
+    }
+  }
+  return false;
+}
+
 Corners corners_of(const std::vector<PolyPoint>& vertices, std::span<const VertexIndex> ring,
                    std::size_t axis, bool turned) {
   Corners corners;
@@ -155,8 +169,9 @@ std::optional<std::vector<std::array<VertexIndex, 3>>> triangulate_along(std::si
   }
   // A hole may have to wait until the one that hides the outline from it is joined.
   while (!holes.empty()) {
-    const auto joined = std::find_if(holes.begin(), holes.end(),
-                                     [&](const Corners& hole) { return join(ring, hole, holes); });
+    auto joined = std::find_if(holes.begin(), holes.end(), [&](const Corners& hole) { return join_at_common_point(ring, hole); });
+    if (joined == holes.end())
+      joined = std::find_if(holes.begin(), holes.end(), [&](const Corners& hole) { return join(ring, hole, holes); });
     if (joined == holes.end()) return std::nullopt;
     holes.erase(joined);
   }
@@ -178,11 +193,11 @@ std::array<std::int64_t, 3> ring_normal(const std::vector<PolyPoint>& vertices,
   return sum;
 }
 
-std::optional<std::vector<std::array<VertexIndex, 3>>> triangulate(const std::vector<PolyPoint>& vertices,
-                                                                   const PolyFace& face) {
+std::optional<std::vector<std::array<VertexIndex, 3>>> triangulate(const std::vector<PolyPoint>& vertices, const PolyFace& face,
+                                                                   std::size_t most_with_holes) {
   std::size_t count = face.outline.size();
   for (const auto& hole : face.holes) count += hole.size();
-  const std::size_t most = face.holes.empty() ? most_split_vertices : most_split_vertices_with_holes;
+  const std::size_t most = face.holes.empty() ? most_split_vertices : most_with_holes;
   if (count > most || face.outline.size() < 3) return std::nullopt;
   const auto normal = ring_normal(vertices, face.outline);
   const std::size_t largest = geometry::dominant_axis(normal);

@@ -24,6 +24,6 @@ inline constexpr std::size_t most_split_vertices_with_holes = 1024;
 // The triangles turn as the outline does. Empty if the face, looked at along the largest component of its
 // ring_normal or another one that is not far below it, is not a simple ring with simple holes in it, or has too many vertices.
 [[nodiscard]] std::optional<std::vector<std::array<VertexIndex, 3>>> triangulate(
-    const std::vector<PolyPoint>& vertices, const PolyFace& face);
+    const std::vector<PolyPoint>& vertices, const PolyFace& face, std::size_t most_with_holes = most_split_vertices_with_holes);
 
 }  // namespace sightline::scene

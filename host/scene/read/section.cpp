@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -20,7 +21,9 @@ namespace sightline::scene {
 namespace {
 
 using geometry::RealVector;
-using EdgeKey = std::uint64_t;  // of two vertices, the lower one in the upper half
+using EdgeKey = std::uint64_t;
+
+EdgeKey key(VertexIndex from, VertexIndex to) { return EdgeKey{from} << 32U | to; }
 
 // Takes away what lies before one plane of a mesh, and closes the solids.
 class Cutter {
@@ -31,28 +34,30 @@ class Cutter {
   void run() {
     std::vector<std::uint32_t> materials;
     std::size_t number = 0;
-    for (PolyBody& body : mesh_.bodies) {
+    for (std::size_t b = 0; b < mesh_.bodies.size(); ++b) {
+      PolyBody& body = mesh_.bodies[b];
       std::vector<PolyFace> faces;
       segments_.clear();
+      unpaired_.clear();
       for (const PolyFace& face : body.faces) {
         cut(face, body.sheet, faces);
         materials.resize(first_of_body_ + faces.size(), mesh_.materials[number++]);
       }
       if (!body.sheet) close(faces);
-      materials.resize(first_of_body_ + faces.size(), cut_material_);
+      materials.resize(first_of_body_ + faces.size(), cut_material_ + static_cast<std::uint32_t>(b % 2));
       body.faces = std::move(faces);
       first_of_body_ = materials.size();
     }
     mesh_.materials = std::move(materials);
-    mesh_.bodies.erase(std::remove_if(mesh_.bodies.begin(), mesh_.bodies.end(), [](const PolyBody& body) { return body.faces.empty(); }),
-                       mesh_.bodies.end());
     cut_wires();
   }
+
+  // Of cut surfaces, whose sides have a gap.
+  [[nodiscard]] std::size_t open_rings() const { return open_rings_; }
 
  private:
   // Where the boundary of a face passes from the part that is kept to the other one, or back.
   struct Passage {
-    EdgeKey edge = 0;
     VertexIndex vertex = 0;
     double along = 0;  // the line in which the plane meets the face
   };
@@ -64,8 +69,8 @@ class Cutter {
   };
   // A side of the cut surface.
   struct Segment {
-    Passage from;
-    Passage to;
+    VertexIndex from = 0;
+    VertexIndex to = 0;
     bool used = false;
   };
 
@@ -77,12 +82,12 @@ class Cutter {
   // the plane.
   Passage passage(VertexIndex a, VertexIndex b) {
     const auto [p, q] = std::minmax(a, b);
-    Passage at{EdgeKey{p} << 32U | q};
+    Passage at;
     if (height(p) == 0 || height(q) == 0) {
       at.vertex = height(p) == 0 ? p : q;
       return at;
     }
-    const auto [known, added] = cuts_.try_emplace(at.edge, static_cast<VertexIndex>(mesh_.vertices.size()));
+    const auto [known, added] = cuts_.try_emplace(key(p, q), static_cast<VertexIndex>(mesh_.vertices.size()));
     at.vertex = known->second;
     if (!added) return at;
     const RealVector& from = mesh_.vertices[p];
@@ -155,7 +160,7 @@ class Cutter {
     for (std::size_t i = 0; i < chains.size(); ++i) {
       next[leaving[i]] = entering[i];
       // The face and the cut surface have this side in opposite directions.
-      if (!sheet) segments_.push_back({chains[entering[i]].enters, chains[leaving[i]].leaves});
+      if (!sheet) add_segment(chains[entering[i]].enters.vertex, chains[leaving[i]].leaves.vertex);
     }
     std::vector<bool> done(chains.size(), false);
     for (std::size_t first = 0; first < chains.size(); ++first) {
@@ -222,34 +227,88 @@ class Cutter {
     return inside;
   }
 
+  // Two faces that meet in an edge in the plane have it in both directions: the cut surface then does not have it.
+  void add_segment(VertexIndex from, VertexIndex to) {
+    if (from == to) return;
+    if (const auto opposite = unpaired_.find(key(to, from)); opposite != unpaired_.end() && opposite->second > 0) {
+      --opposite->second;
+      const auto found = std::find_if(segments_.begin(), segments_.end(), [&](const Segment& s) { return s.from == to && s.to == from; });
+      segments_.erase(found);
+      return;
+    }
+    ++unpaired_[key(from, to)];
+    segments_.push_back({from, to});
+  }
+
+  // The side that follows a side at its end: of several the one that has no other between it and the side, in the inside, which is on the
+  // left, seen from the part that was taken away.
+  [[nodiscard]] std::size_t next_of(std::size_t side, const std::vector<std::size_t>& starts, std::size_t first) const {
+    const std::array<std::size_t, 2> axes{(plane_.axis + 1) % 3, (plane_.axis + 2) % 3};
+    const auto direction = [&](VertexIndex from, VertexIndex to) {
+      const RealVector d = geometry::difference(mesh_.vertices[to], mesh_.vertices[from]);
+      return std::atan2(d[axes[1]] * -sign_, d[axes[0]]);
+    };
+    const double back = direction(segments_[side].to, segments_[side].from);
+    std::size_t best = segments_.size();
+    double least = 0;
+    for (const std::size_t each : starts) {
+      if (segments_[each].used && each != first) continue;
+      double turn = back - direction(segments_[each].from, segments_[each].to);
+      while (turn <= 0) turn += 2 * std::numbers::pi;
+      if (best != segments_.size() && turn >= least) continue;
+      best = each;
+      least = turn;
+    }
+    return best;
+  }
+
   // The cut surface of a solid: its sides joined to rings, outlines counterclockwise seen from the part that was taken away. A ring with a
   // gap is left out, and the body becomes a sheet.
   void close(std::vector<PolyFace>& faces) {
-    std::unordered_map<EdgeKey, std::vector<std::size_t>> starts;
-    for (std::size_t i = segments_.size(); i-- > 0;) starts[segments_[i].from.edge].push_back(i);
+    std::unordered_map<VertexIndex, std::vector<std::size_t>> starts;
+    for (std::size_t i = 0; i < segments_.size(); ++i) starts[segments_[i].from].push_back(i);
     const std::array<std::size_t, 2> axes{(plane_.axis + 1) % 3, (plane_.axis + 2) % 3};
     std::vector<Ring> outlines;
     std::vector<Ring> holes;
-    for (Segment& first : segments_) {
+    for (std::size_t first = 0; first < segments_.size(); ++first) {
+      if (segments_[first].used) continue;
       Ring ring;
-      const Segment* segment = &first;
-      while (segment != nullptr && !segment->used) {
-        Segment& used = segments_[static_cast<std::size_t>(segment - segments_.data())];
-        used.used = true;
-        ring.push_back(used.from.vertex);
-        if (used.to.edge == first.from.edge) break;
-        segment = nullptr;
-        std::vector<std::size_t>& next = starts[used.to.edge];
-        while (!next.empty() && segments_[next.back()].used) next.pop_back();
-        if (!next.empty()) segment = &segments_[next.back()];
-        else ring.clear();
+      std::size_t side = first;
+      do {
+        segments_[side].used = true;
+        ring.push_back(segments_[side].from);
+        side = next_of(side, starts[segments_[side].to], first);
+      } while (side != first && side != segments_.size());
+      if (side != first) {
+        ++open_rings_;
+        continue;
       }
-      if (!simplify(ring)) continue;
-      const double turn = area(ring, axes) * -sign_;
-      if (turn > 0) outlines.push_back(std::move(ring));
-      if (turn < 0) holes.push_back(std::move(ring));
+      for (Ring& loop : loops_of(ring)) {
+        const double turn = area(loop, axes) * -sign_;
+        if (turn > 0) outlines.push_back(std::move(loop));
+        if (turn < 0) holes.push_back(std::move(loop));
+      }
     }
     add_faces(outlines, holes, {}, faces);
+  }
+
+  // Loops that pass no vertex twice.
+  static std::vector<Ring> loops_of(const Ring& ring) {
+    std::vector<Ring> loops;
+    Ring path;
+    std::unordered_map<VertexIndex, std::size_t> position;
+    for (const VertexIndex v : ring) {
+      if (const auto known = position.find(v); known != position.end()) {
+        const std::size_t begin = known->second;
+        loops.emplace_back(path.begin() + begin, path.end());
+        for (std::size_t i = begin; i < path.size(); ++i) position.erase(path[i]);
+        path.resize(begin);
+      }
+      position[v] = path.size();
+      path.push_back(v);
+    }
+    loops.push_back(std::move(path));
+    return loops;
   }
 
   void cut_wires() {
@@ -267,8 +326,10 @@ class Cutter {
   double sign_;
   std::uint32_t cut_material_;
   std::size_t first_of_body_ = 0;  // of the new faces
+  std::size_t open_rings_ = 0;
   std::unordered_map<EdgeKey, VertexIndex> cuts_;
-  std::vector<Segment> segments_;  // of one body
+  std::vector<Segment> segments_;                          // of one body
+  std::unordered_map<EdgeKey, std::uint32_t> unpaired_;  // how many of these go from one vertex to another
 };
 
 // The scene as a mesh in the unit of the file. Borders between colours of single faces are no lines, so that these materials are left out.
@@ -310,10 +371,13 @@ std::optional<base::Error> split_faces_with_holes(PolyMesh& mesh, const std::opt
         for (const auto& vertex : mesh.vertices)
           vertices.push_back({quantised(vertex[0], grid, 0), quantised(vertex[1], grid, 1), quantised(vertex[2], grid, 2)});
       }
-      const auto triangles = triangulate(vertices, face);
+      const auto triangles = triangulate(vertices, face, most_split_vertices);
       if (!triangles) {
-        return base::Error{mesh.source, "the section", "a face with holes that cannot be divided into triangles",
-                           fmt::format("a simple face of at most {} vertices", most_split_vertices_with_holes)};
+        std::size_t count = face.outline.size();
+        for (const Ring& hole : face.holes) count += hole.size();
+        return base::Error{mesh.source, "the section", fmt::format("found a face of {} vertices with {} holes that cannot be divided into triangles",
+                                                                   count, face.holes.size()),
+                           fmt::format("a simple face of at most {} vertices", most_split_vertices), "move the plane"};
       }
       for (const auto& triangle : *triangles) faces.push_back({{triangle[0], triangle[1], triangle[2]}, {}});
       materials.resize(materials.size() + triangles->size(), material);
@@ -330,7 +394,16 @@ base::Result<Section> section_of(const LoadedScene& source, std::span<const Sect
   PolyMesh mesh = mesh_of(source);
   Section section;
   section.cut_material = mesh.materials.empty() ? 1 : *std::max_element(mesh.materials.begin(), mesh.materials.end()) + 1;
-  for (const SectionPlane& plane : planes) Cutter(mesh, plane, section.cut_material).run();
+  std::size_t open_rings = 0;
+  for (SectionPlane plane : planes) {
+    // The vertices were rounded to the grid, and so are faces in the plane.
+    if (source.report.largest_shift > 0)
+      plane.at = steps_in_file(std::llround(plane.at / source.scene.step), source.scene.step);
+    Cutter cutter(mesh, plane, section.cut_material);
+    cutter.run();
+    open_rings += cutter.open_rings();
+  }
+  std::erase_if(mesh.bodies, [](const PolyBody& body) { return body.faces.empty(); });
   if (mesh.bodies.empty() && mesh.wires.empty()) return base::Error{source.name, "", "nothing behind the planes of the section"};
   if (auto error = split_faces_with_holes(mesh, options.eye)) return std::move(*error);
   PolyImportOptions import_options;
@@ -344,12 +417,18 @@ base::Result<Section> section_of(const LoadedScene& source, std::span<const Sect
   loaded.scene = std::move(import->scene);
   loaded.report = source.report;
   loaded.report.step = import->report.step;
+  loaded.report.largest_shift = std::max(source.report.largest_shift, import->report.largest_shift);
+  const std::size_t left_out = open_rings + import->report.faces.crossing_faces;
+  if (left_out > 0) section.notes.push_back(fmt::format("{} cut faces of the section are left out: their outlines cross or have gaps", left_out));
   loaded.scene.name = source.scene.name;
   PolyCamera camera = source.scene.camera;
   if (const auto eye = grid_point(loaded.scene, file_point(source.scene, camera.eye))) {
     camera.eye = *eye;
-    loaded.scene.camera = camera;
+  } else {
+    camera.perspective = false;
+    camera.eye = bounds_of(loaded.scene).middle();
   }
+  loaded.scene.camera = camera;
   return section;
 }
 

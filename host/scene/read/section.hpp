@@ -3,12 +3,14 @@
 // Planes are those where x, y or z has one value. Which vertices are taken away is decided by their coordinates in the unit of the file;
 // where an edge meets the plane is computed in doubles, and all vertices are rounded once to the grid of the new scene, as those of a file.
 // A face that lies in the plane is replaced by the cut. A sheet is cut and stays open; a solid whose rest touches itself along an edge
-// becomes one.
+// becomes a sheet. Sheets and wires in the plane are removed.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "host/base/result.hpp"
 #include "host/scene/read/load.hpp"
@@ -23,10 +25,13 @@ struct SectionPlane {
 
 struct Section {
   LoadedScene loaded;              // a mesh, with the names of the bodies, the materials and the camera of the source
-  std::uint32_t cut_material = 0;  // PolyScene::material_of of the faces that lie in the planes
+  // PolyScene::material_of of the faces that lie in the planes; of every second body it is one more.
+  std::uint32_t cut_material = 0;
+  std::vector<std::string> notes;  // about cut faces that are left out
 };
 
-// The planes are taken one after the other. `options.eye` is a place the new grid has to have room for, as in import_poly.
+// The planes are applied one after the other. A plane of a scene that was rounded is rounded to its grid. The new grid has room for
+// `options.eye`, as in import_poly. A camera in perspective whose eye has no place in the new grid becomes a parallel one.
 // Error bad_input: nothing is left. The source has no crossings (precondition).
 [[nodiscard]] base::Result<Section> section_of(const LoadedScene& source, std::span<const SectionPlane> planes,
                                                const PolyImportOptions& options = {});

@@ -39,7 +39,7 @@ double sum_over_rings(const PolyScene& scene, const Measure& measure, std::optio
   for (const PolyBody& body : scene.bodies) {
     for (const PolyFace& face : body.faces) {
       const std::size_t n = number++;
-      if (material && (scene.material_of.empty() || scene.material_of[n] != *material)) continue;
+      if (material && (scene.material_of.empty() || scene.material_of[n] < *material)) continue;
       std::vector<Ring> rings = face.holes;
       rings.push_back(face.outline);
       for (const auto& ring : rings)
@@ -175,6 +175,54 @@ TEST(Section, AcrossATubeTheCutHasAHole) {
   ASSERT_TRUE(section);
   // A regular polygon of 16 sides has the area 8 r r sin(22.5 degrees).
   EXPECT_NEAR(cut_area(*section, 2), 8 * (100 - 36) * std::sin(3.14159265358979 / 8), 0.01);
+}
+
+// Solids whose cut touches itself at a vertex: a height field of whole numbers, cut at one of its heights.
+TEST(Section, CutsThatTouchThemselvesKeepTheirArea) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    programs::jones::Dice dice{seed};
+    constexpr int side = 7;
+    std::string text = "OFF\n" + std::to_string(2 * side * side) + " " + std::to_string(4 * (side - 1) * (side - 1) + 8 * (side - 1)) + " 0\n";
+    for (int y = 0; y < side; ++y)
+      for (int x = 0; x < side; ++x) text += std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(dice(2, 6)) + "\n";
+    for (int y = 0; y < side; ++y)
+      for (int x = 0; x < side; ++x) text += std::to_string(x) + " " + std::to_string(y) + " 0\n";
+    const auto add = [&](int a, int b, int c) { text += "3 " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c) + "\n"; };
+    const auto top = [](int x, int y) { return y * side + x; };
+    const auto bottom = [](int x, int y) { return side * side + y * side + x; };
+    for (int y = 0; y + 1 < side; ++y) {
+      for (int x = 0; x + 1 < side; ++x) {
+        add(top(x, y), top(x + 1, y), top(x + 1, y + 1));
+        add(top(x, y), top(x + 1, y + 1), top(x, y + 1));
+        add(bottom(x, y), bottom(x + 1, y + 1), bottom(x + 1, y));
+        add(bottom(x, y), bottom(x, y + 1), bottom(x + 1, y + 1));
+      }
+    }
+    const auto wall = [&](int x0, int y0, int x1, int y1) {
+      add(bottom(x0, y0), bottom(x1, y1), top(x1, y1));
+      add(bottom(x0, y0), top(x1, y1), top(x0, y0));
+    };
+    for (int i = 0; i + 1 < side; ++i) {
+      wall(i, 0, i + 1, 0);
+      wall(side - 1, i, side - 1, i + 1);
+      wall(side - i - 1, side - 1, side - i - 2, side - 1);
+      wall(0, side - i - 1, 0, side - i - 2);
+    }
+    const LoadedScene field = loaded_off(text);
+    for (const double z : {3.0, 4.0, 5.0, 4.5}) {
+      const SectionPlane below{2, z, false};
+      const SectionPlane above{2, z, true};
+      const auto low = section_of(field, {&below, 1});
+      const auto high = section_of(field, {&above, 1});
+      ASSERT_TRUE(low && high) << seed << ": " << (low ? high : low).error().message();
+      EXPECT_TRUE(low->notes.empty() && high->notes.empty()) << seed;
+      EXPECT_NEAR(volume(low->loaded.scene) + volume(high->loaded.scene), volume(field.scene), 0.01) << seed << ", " << z;
+      // A plateau in the plane belongs to the cut of the lower part alone.
+      if (z == 4.5) {
+        EXPECT_NEAR(cut_area(*low, 2), -cut_area(*high, 2), 0.01) << seed << ", " << z;
+      }
+    }
+  }
 }
 
 TEST(Section, PlanesAreTakenOneAfterTheOther) {
