@@ -464,7 +464,9 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
   const scene::LoadedScene whole =
       load_scene(arguments.scene, arguments.mesh, algorithm.draws_crossings ? Wires::keep : Wires::remove);
   if (whole.cells && algorithm.draws_crossings && (options.edges.are_given() || !arguments.section.empty()))
-    warn(fmt::format("{}: the outer box is left out: --edges, --crease, --all-edges and --section draw the edges of solids and walls", whole.name));
+    warn(fmt::format("{}: the outer box is left out: {}", whole.name,
+                     arguments.section.empty() ? "--edges, --crease and --all-edges choose among the edges of solids and walls"
+                                               : "--section draws the edges of solids and walls"));
   AimedCamera aimed;
   if (arguments.views.empty()) aimed = camera_anywhere(arguments.camera, whole.scene);
   std::optional<scene::Section> section;

@@ -426,7 +426,7 @@ TEST_F(DrawMesh, SeveralViewsShareASheet) {
     EXPECT_EQ(ran.exit_code, 2) << ran.err;
     EXPECT_TRUE(has(ran.err, expected)) << ran.err;
   };
-  refused({"--views", "front,above"}, "found \"above\", expected front, back");
+  refused({"--views", "front,above"}, "--views: above not in {front,back,");
   refused({"--views", "front,front"}, "found front twice");
   refused({"--views", "front,top", "--view", "iso"}, "--view");
   refused({"--views", "front,top", "--turntable", "3"}, "--turntable");
