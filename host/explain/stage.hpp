@@ -1,7 +1,7 @@
 // Draws a polyhedral scene on the sheets of a lesson: the image that the camera sees, and the ground seen from above.
 //
 // Image coordinates are those of PolyCamera. Everything behind the eye, or nearer than a thousandth of the distance to the
-// farthest point, is clipped. Doubles suffice because lessons are only looked at.
+// farthest point, is clipped. Doubles suffice: nothing in a lesson is decided by them.
 #pragma once
 
 #include <cstddef>

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "host/scene/heights/grid_formats.hpp"
-#include "host/scene/heights/hgt_grid.hpp"
 
 namespace {
 

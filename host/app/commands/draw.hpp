@@ -8,11 +8,14 @@
 
 #include "host/algorithms/registry/faces.hpp"
 #include "host/algorithms/registry/heights.hpp"
+#include "host/algorithms/skala/view.hpp"
 #include "host/app/camera_options.hpp"
 #include "host/app/command_line.hpp"
 #include "host/hidden_lines/hidden_lines.hpp"
+#include "host/picture/line_drawing.hpp"
 #include "host/picture/plotter.hpp"
 #include "host/picture/vector_drawing.hpp"
+#include "host/scene/heights/surface_net.hpp"
 
 namespace sightline::app {
 
@@ -22,6 +25,18 @@ void add_draw_faces(const Command& command, const registry::FaceAlgorithm& algor
 // Adds `draw METHOD GRID` for a method that draws a surface over a grid of heights as vectors. `algorithm` is an entry of the
 // registry.
 void add_draw_heights(const Command& command, const registry::HeightAlgorithm& algorithm);
+
+// --- Nets of curves
+
+struct NetView {
+  algorithms::skala::BoxSides sides;  // of the box around the net
+  double rotation = 0;                // degrees, as of a surface over a grid
+  double elevation = 0;
+  picture::DrawingField field;
+};
+
+// The curves, the border and the silhouette of the net. `name` is its name in errors. Error bad_input: nothing can be drawn of it.
+[[nodiscard]] picture::VectorDrawing draw_net(const scene::SurfaceNet& net, const NetView& view, const std::string& name);
 
 // --- Output options
 

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "host/app/commands/draw.hpp"
-#include "host/app/commands/draw_net.hpp"
 #include "host/app/commands/skala_options.hpp"
 #include "host/app/commands/skala_source.hpp"
 #include "host/base/json.hpp"

@@ -1,4 +1,6 @@
-#include "host/app/commands/draw_net.hpp"
+// A net of curves, which need not be a function of x and y, as `sightline draw skala` draws it: its lines with their hidden parts
+// removed, by the exact method for polyhedra, because Skala's needs a surface over a grid.
+#include "host/app/commands/draw.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,9 +1,11 @@
-// Replaces files, folders and libpng in the WebAssembly module: these functions return errors or nothing. The headers that declare
+// Replaces files, folders, libpng and the readers of glTF and 3MF in the WebAssembly module: these functions return errors or nothing. The headers that declare
 // them describe them.
 #include "host/base/file.hpp"
 #include "host/machines/cpm_files.hpp"
 #include "host/picture/apng.hpp"
 #include "host/picture/png.hpp"
+#include "host/scene/read/gltf.hpp"
+#include "host/scene/read/three_mf.hpp"
 
 namespace sightline::base {
 
@@ -18,6 +20,22 @@ Result<std::string> read_text(const std::string& path, std::size_t) {
 }
 
 }  // namespace sightline::base
+
+namespace sightline::scene {
+
+base::Result<PolyMesh> read_gltf(std::string_view, std::string_view source, const std::string&) {
+  return base::Error{std::string(source), "", "found glTF, which the page does not read", "STL, PLY, OFF, OBJ or JSON", "export the mesh as STL, PLY or OBJ"};
+}
+
+base::Result<PolyMesh> read_glb(std::string_view bytes, std::string_view source, const std::string& folder) {
+  return read_gltf(bytes, source, folder);
+}
+
+base::Result<PolyMesh> read_three_mf(std::string_view, std::string_view source) {
+  return base::Error{std::string(source), "", "found 3MF, which the page does not read", "STL, PLY, OFF, OBJ or JSON", "export the mesh as STL, PLY or OBJ"};
+}
+
+}  // namespace sightline::scene
 
 namespace sightline::picture {
 

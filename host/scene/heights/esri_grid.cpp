@@ -1,4 +1,8 @@
-#include "host/scene/heights/esri_grid.hpp"
+// ASCII grids of ESRI (.asc): keys and values in any order, then the rows from north to south.
+//
+// Source: Esri, ArcGIS documentation, "Esri ASCII raster format". A height belongs to the middle of its cell: half a cell from
+// xllcorner, at xllcenter. GDAL's keys dx and dy instead of cellsize, and its nan for a hole, are read, too.
+#include "host/scene/heights/grid_formats.hpp"
 
 #include <algorithm>
 #include <array>

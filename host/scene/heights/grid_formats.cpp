@@ -4,9 +4,6 @@
 #include <array>
 
 #include "host/base/text.hpp"
-#include "host/scene/heights/esri_grid.hpp"
-#include "host/scene/heights/hgt_grid.hpp"
-#include "host/scene/heights/surfer_grid.hpp"
 
 namespace sightline::scene {
 namespace {

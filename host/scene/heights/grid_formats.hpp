@@ -22,6 +22,22 @@ struct GridFormat {
 // Null: none of them.
 [[nodiscard]] const GridFormat* grid_format_of(std::string_view bytes, std::string_view source);
 
+// The functions of the formats, each group in the source of its name.
+
+// Does the file begin with a line of a key and its value?
+[[nodiscard]] bool is_esri_grid(std::string_view bytes, std::string_view source);
+[[nodiscard]] base::Result<HeightGrid> read_esri_grid(std::string_view bytes, std::string_view source);
+
+// Does the file begin with these letters?
+[[nodiscard]] bool is_surfer_text(std::string_view bytes, std::string_view source);
+[[nodiscard]] bool is_surfer_binary(std::string_view bytes, std::string_view source);
+[[nodiscard]] base::Result<HeightGrid> read_surfer_text(std::string_view bytes, std::string_view source);
+[[nodiscard]] base::Result<HeightGrid> read_surfer_binary(std::string_view bytes, std::string_view source);
+
+// Does the name end in .hgt, or is it a binary file of one of the two sizes?
+[[nodiscard]] bool is_hgt_grid(std::string_view bytes, std::string_view source);
+[[nodiscard]] base::Result<HeightGrid> read_hgt_grid(std::string_view bytes, std::string_view source);
+
 // "a TIFF image": the name of a format that is recognised by its first bytes and cannot be read. Empty: none of them.
 [[nodiscard]] std::string_view foreign_format_of(std::string_view text);
 // The same, or "binary data", or a list in brackets.

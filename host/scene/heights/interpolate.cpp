@@ -10,6 +10,7 @@
 
 #include "host/geometry/predicates.hpp"
 #include "host/scene/heights/delaunay.hpp"
+#include "host/scene/heights/read_text.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -109,7 +110,6 @@ class TriangleFiller {
   HeightGrid& grid_;
 };
 
-std::string count_text(std::size_t n, const std::string& what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
 
 }  // namespace
 
@@ -117,10 +117,10 @@ base::Result<HeightGrid> interpolated(const std::vector<ScatteredPoint>& points,
   const auto on_a_line = [&](const std::string& found) {
     return base::Error{std::string(source), "", found, "three points or more that are not on one line"};
   };
-  if (points.size() < 3) return on_a_line(count_text(points.size(), "point"));
+  if (points.size() < 3) return on_a_line(count_of(points.size(), "point"));
   const RoundingScale x{extent_of(points, &ScatteredPoint::x)};
   const RoundingScale y{extent_of(points, &ScatteredPoint::y)};
-  const std::string line = count_text(points.size(), "point") + " on one line";
+  const std::string line = count_of(points.size(), "point") + " on one line";
   for (const Interval& domain : {x.domain, y.domain})
     if (!(domain.high / 2 - domain.low / 2 >= std::numeric_limits<double>::min())) return on_a_line(line);
   std::vector<Point2> rounded;
@@ -140,9 +140,9 @@ base::Result<HeightGrid> interpolated(const std::vector<ScatteredPoint>& points,
   }
   const auto holes =
       static_cast<std::size_t>(std::count_if(grid.heights.begin(), grid.heights.end(), [](double h) { return std::isnan(h); }));
-  grid.note = count_text(points.size(), "point") + ", " + count_text(triangles.size(), "triangle") + ", a grid of " +
+  grid.note = count_of(points.size(), "point") + ", " + count_of(triangles.size(), "triangle") + ", a grid of " +
               std::to_string(size.points) + " x " + std::to_string(size.slices);
-  if (holes > 0) grid.note += ", " + count_text(holes, "place") + " outside of the points";
+  if (holes > 0) grid.note += ", " + count_of(holes, "place") + " outside of the points";
   return grid;
 }
 

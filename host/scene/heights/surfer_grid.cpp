@@ -1,4 +1,11 @@
-#include "host/scene/heights/surfer_grid.hpp"
+// Grids of Golden Software's Surfer 6 (.grd): DSAA as text, DSBB in binary. Rows go from south to north.
+//
+//   DSAA   columns and rows, the least and the greatest x, y and height, then the heights, all as decimal numbers.
+//   DSBB   columns and rows in 2 bytes each; the least and the greatest x, y and height as doubles; the heights as floats. Little-endian,
+//          56 bytes before the heights.
+//
+// Source: Golden Software, Surfer User's Guide, appendix "Grid files". A height of 1.70141e38 or more is blanked: a hole.
+#include "host/scene/heights/grid_formats.hpp"
 
 #include <array>
 #include <bit>

@@ -1,19 +1,6 @@
 // See draco_mesh.hpp.
 #include "host/scene/read/draco_mesh.hpp"
 
-#ifndef SIGHTLINE_HAS_DRACO
-
-namespace sightline::scene {
-
-base::Result<DracoMesh> read_draco(std::string_view, std::uint32_t, std::size_t) {
-  return base::Error{"", "", "found Draco's compression, which this program was built without", "uncompressed meshes",
-                     "install libdraco (Debian: libdraco-dev) and build again, or export without compression"};
-}
-
-}  // namespace sightline::scene
-
-#else
-
 #include <draco/compression/decode.h>
 
 #include <algorithm>
@@ -44,7 +31,7 @@ std::optional<std::uint64_t> take_varint(std::string_view& bytes) {
   return std::nullopt;
 }
 
-// libdraco makes room for as many faces as the header says, so that is looked at before. DracoHeader and the first fields of the
+// libdraco makes room for as many faces as the header says, so the header is checked first. DracoHeader and the first fields of the
 // connectivity, sections 3.1 and 4.
 base::Result<std::uint64_t> draco_face_count(std::string_view bytes) {
   constexpr std::size_t header = 11;
@@ -109,5 +96,3 @@ base::Result<DracoMesh> read_draco(std::string_view bytes, std::uint32_t attribu
 }
 
 }  // namespace sightline::scene
-
-#endif

@@ -1,51 +1,10 @@
 // See gltf.hpp.
 #include "host/scene/read/gltf.hpp"
 
-#include <cstddef>
-
-namespace sightline::scene {
-
-// The keys of the outermost object are examined; nothing is parsed.
-bool is_gltf(std::string_view text) {
-  std::size_t depth = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '{' || c == '[') ++depth;
-    if (c == '}' || c == ']') {
-      if (depth-- <= 1) return false;
-    }
-    if (c != '"') continue;
-    const std::size_t begin = ++i;
-    while (i < text.size() && text[i] != '"') i += text[i] == '\\' ? 2 : 1;
-    if (depth != 1 || i >= text.size() || text.substr(begin, i - begin) != "asset") continue;
-    const std::size_t after = text.find_first_not_of(" \t\r\n", i + 1);
-    if (after != std::string_view::npos && text[after] == ':') return true;
-  }
-  return false;
-}
-
-}  // namespace sightline::scene
-
-#ifndef SIGHTLINE_HAS_GLTF
-
-namespace sightline::scene {
-
-base::Result<PolyMesh> read_gltf(std::string_view, std::string_view source, const std::string&) {
-  return base::Error{std::string(source), "", "found glTF, which this program was built without", "STL, PLY, OFF, OBJ or JSON",
-                     "export the mesh as STL, PLY or OBJ"};
-}
-
-base::Result<PolyMesh> read_glb(std::string_view bytes, std::string_view source, const std::string& folder) {
-  return read_gltf(bytes, source, folder);
-}
-
-}  // namespace sightline::scene
-
-#else
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -471,5 +430,3 @@ base::Result<PolyMesh> read_glb(std::string_view bytes, std::string_view source,
 }
 
 }  // namespace sightline::scene
-
-#endif

@@ -15,9 +15,6 @@
 
 namespace sightline::scene {
 
-// Whether a text is a JSON object with a member "asset": what every glTF file has and no other scene.
-[[nodiscard]] bool is_gltf(std::string_view text);
-
 // `folder`: where buffers that the file names are; empty: there are none, the file came from standard input. Errors have a byte
 // where the frame of a GLB is damaged, a line and column where its JSON is, or a path in that: "accessors[3].count". More than
 // 100 million corners are an error.

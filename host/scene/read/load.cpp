@@ -95,7 +95,7 @@ bool begins_as_json(std::string_view text) {
   return first != std::string_view::npos && (text[first] == '{' || text[first] == '[');
 }
 
-// Which kind a document is, is known before anything in it is looked at.
+// The kind of a document is determined before its contents are read.
 void read_json(const SceneFile& file, SceneReading& reading) {
   const bool names_its_schema = is_cell_complex(file.text);
   auto document = base::parse_json(file.text, file.name);

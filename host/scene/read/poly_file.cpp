@@ -246,6 +246,25 @@ constexpr std::array format_names{
     FormatName{"glb", PolyFormat::glb}, FormatName{"3mf", PolyFormat::threemf},
 };
 
+// Whether an outermost object of JSON has the key "asset", as glTF has. Nothing is parsed.
+bool is_gltf(std::string_view text) {
+  std::size_t depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '{' || c == '[') ++depth;
+    if (c == '}' || c == ']') {
+      if (depth-- <= 1) return false;
+    }
+    if (c != '"') continue;
+    const std::size_t begin = ++i;
+    while (i < text.size() && text[i] != '"') i += text[i] == '\\' ? 2 : 1;
+    if (depth != 1 || i >= text.size() || text.substr(begin, i - begin) != "asset") continue;
+    const std::size_t after = text.find_first_not_of(" \t\r\n", i + 1);
+    if (after != std::string_view::npos && text[after] == ':') return true;
+  }
+  return false;
+}
+
 // As the first line says that is neither empty nor a comment; empty if it says nothing.
 std::optional<PolyFormat> format_by_content(const std::string_view whole) {
   std::string_view text = whole;

@@ -1,22 +1,6 @@
 // See three_mf.hpp.
 #include "host/scene/read/three_mf.hpp"
 
-#ifndef SIGHTLINE_HAS_THREE_MF
-
-#include <string>
-
-namespace sightline::scene {
-
-base::Result<PolyMesh> read_three_mf(std::string_view, std::string_view source) {
-  return base::Error{
-      std::string(source), "", "found 3MF, which this program was built without", "STL, PLY, OFF, OBJ or JSON",
-      "install libzip and pugixml (Debian: libzip-dev, libpugixml-dev) and build again, or export the mesh as STL, PLY or OBJ"};
-}
-
-}  // namespace sightline::scene
-
-#else
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -596,5 +580,3 @@ base::Result<PolyMesh> read_three_mf(std::string_view bytes, std::string_view so
 }
 
 }  // namespace sightline::scene
-
-#endif

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "host/picture/png.hpp"
 #include "tests/host/app/command_line.hpp"
 #include "tests/support/effort.hpp"
@@ -437,13 +439,23 @@ TEST_F(DrawMesh, SeveralViewsShareASheet) {
 
 TEST_F(DrawMesh, ASectionTakesAwayWhatIsBeforeThePlane) {
   write("box.obj", box);
-  // From the front the box's 10 x 6 units remain at z = 1, from the right side 2.5 of its 10 units in x are gone.
-  for (const auto& [section, view, drawn] : {std::array{"z=1", "front", "M10 154l"}, {"x=2.5", "top", ""}}) {
-    const auto ran = sightline({"draw", "exact", "box.obj", "--view", view, "--section", section, "--json", "-o", "a.svg"});
-    EXPECT_EQ(ran.exit_code, *drawn == 0 ? 2 : 0) << ran.err;
-    if (*drawn == 0) EXPECT_TRUE(has(ran.err, "which this view sees edge on")) << ran.err;
-    else EXPECT_TRUE(has(read("a.svg"), "section")) << read("a.svg");
+  // From the right the box is 4 x 6 units: 180 mm are 6 units, and the cut fills the rectangle of 120 x 180 mm.
+  expect_ok({"draw", "exact", "box.obj", "--view", "right", "--section", "x=2.5", "--strokes", "a.jsonl", "-o", "a.svg"});
+  std::istringstream strokes(read("a.jsonl"));
+  int hatched = 0;
+  for (std::string text; std::getline(strokes, text);) {
+    const auto stroke = nlohmann::json::parse(text);
+    if (stroke["layer"] != "section") continue;
+    ++hatched;
+    for (const char* end : {"from", "to"}) {
+      EXPECT_GE(stroke[end][0], 40 - 1e-6);
+      EXPECT_LE(stroke[end][0], 160 + 1e-6);
+    }
   }
+  EXPECT_NEAR(hatched, (120 + 180) / std::sqrt(2.0) / 2, 2) << "lines 2 mm apart across the diagonal";
+  const auto edge_on = sightline({"draw", "exact", "box.obj", "--view", "top", "--section", "x=2.5", "-o", "b.svg"});
+  EXPECT_EQ(edge_on.exit_code, 2);
+  EXPECT_TRUE(has(edge_on.err, "which this view sees edge on")) << edge_on.err;
   for (const char* wrong : {"x", "w=1", "x=", "x=a", "x=nan", "x=1e999"}) {
     const auto ran = sightline({"draw", "exact", "box.obj", "--section", wrong, "-o", "b.svg"});
     EXPECT_EQ(ran.exit_code, 2) << wrong << ran.err;
