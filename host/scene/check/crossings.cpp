@@ -155,16 +155,12 @@ class CrossingSearch {
                               begins(x == span[0], 0) | begins(y == span[1], 1) | begins(z == span[2], 2));
     }
     sort_by_cell(entries);
-    constexpr std::size_t fetched_ahead = 32;
     std::vector<FaceBox> here;
     for (std::size_t first = 0; first < entries.size() && found_.size() < most_;) {
       std::size_t last = first;
       while (last < entries.size() && cell_of(entries[last]) == cell_of(entries[first])) ++last;
       here.clear();
-      for (std::size_t i = first; i < last; ++i) {
-        if (i + fetched_ahead < entries.size()) __builtin_prefetch(&boxes_[face_of(entries[i + fetched_ahead])]);
-        here.push_back(boxes_[face_of(entries[i])]);
-      }
+      for (std::size_t i = first; i < last; ++i) here.push_back(boxes_[face_of(entries[i])]);
       for (std::size_t i = 0; i < here.size(); ++i) {
         for (std::size_t j = i + 1; j < here.size(); ++j) {
           // Once, in the first cell that both are in.

@@ -38,9 +38,6 @@ class IndexSet {
       if (place.index == number || (place.tag == tag && same(place.index))) return place.index;
     }
   }
-  // Prefetches the place of a key that is looked up soon, fetched_ahead indices later.
-  void fetch(std::uint64_t key) const { __builtin_prefetch(&places_[spread(key) & (places_.size() - 1)]); }
-  static constexpr std::uint32_t fetched_ahead = 16;
 
  private:
   struct Place {
@@ -59,10 +56,8 @@ class IndexSet {
   };
   IndexSet numbers(points.size());
   std::vector<VertexIndex> target(points.size());
-  for (VertexIndex v = 0; v < points.size(); ++v) {
-    if (v + IndexSet::fetched_ahead < points.size()) numbers.fetch(key_of(v + IndexSet::fetched_ahead));
+  for (VertexIndex v = 0; v < points.size(); ++v)
     target[v] = numbers.find_or_add(key_of(v), v, [&](VertexIndex w) { return points[w] == points[v]; });
-  }
   return target;
 }
 

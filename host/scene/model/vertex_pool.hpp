@@ -38,11 +38,6 @@ class VertexPool {
     vertices_.reserve(vertices);
     while (2 * vertices > places_.size()) grow();
   }
-  // Prefetches the table entry of a point that will be added soon.
-  void fetch(Point point) const {
-    for (Number& c : point) c += Number{0};
-    __builtin_prefetch(&places_[hash(point) & (places_.size() - 1)]);
-  }
 
   // For a copy of another pool's vertices: takes over its table.
   void copy_table_of(const VertexPool& other) { places_ = other.places_; }

@@ -277,7 +277,6 @@ class Mending {
       return key;
     };
     for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
-      if (p + IndexSet::fetched_ahead < pieces_.size()) numbers.fetch(key_of_piece(pieces_[p + IndexSet::fetched_ahead]));
       Piece& piece = pieces_[p];
       if (piece.left_out) continue;
       const std::uint32_t first = numbers.find_or_add(key_of_piece(piece), p, [&](std::uint32_t q) {

@@ -60,11 +60,9 @@ base::Result<PolyMesh> read_binary_stl(std::string_view bytes, std::string_view 
     for (std::size_t a = 0; a < 3; ++a) point[a] = std::bit_cast<float>(little_endian_32(bytes, place + 4 * a));
     return point;
   };
-  constexpr std::uint64_t fetched_ahead = 24;  // triangles
   for (std::uint64_t t = 0; t < triangles; ++t) {
     Ring& outline = mesh.bodies[0].faces.emplace_back().outline;
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      if (t + fetched_ahead < triangles) pool.fetch(point_at(place_of(t + fetched_ahead, corner)));
       const std::size_t place = place_of(t, corner);
       const std::array<double, 3> point = point_at(place);
       for (std::size_t a = 0; a < 3 && !mesh.flaw; ++a)
