@@ -71,7 +71,7 @@ class Cutter {
   struct Segment {
     VertexIndex from = 0;
     VertexIndex to = 0;
-    bool used = false;
+    bool used = false;  // in a ring, or not a side after all
   };
 
   // Above 0: kept.
@@ -230,13 +230,12 @@ class Cutter {
   // Two faces that meet in an edge in the plane have it in both directions: the cut surface then does not have it.
   void add_segment(VertexIndex from, VertexIndex to) {
     if (from == to) return;
-    if (const auto opposite = unpaired_.find(key(to, from)); opposite != unpaired_.end() && opposite->second > 0) {
-      --opposite->second;
-      const auto found = std::find_if(segments_.begin(), segments_.end(), [&](const Segment& s) { return s.from == to && s.to == from; });
-      segments_.erase(found);
+    if (const auto opposite = unpaired_.find(key(to, from)); opposite != unpaired_.end() && !opposite->second.empty()) {
+      segments_[opposite->second.back()].used = true;
+      opposite->second.pop_back();
       return;
     }
-    ++unpaired_[key(from, to)];
+    unpaired_[key(from, to)].push_back(segments_.size());
     segments_.push_back({from, to});
   }
 
@@ -266,7 +265,8 @@ class Cutter {
   // gap is left out, and the body becomes a sheet.
   void close(std::vector<PolyFace>& faces) {
     std::unordered_map<VertexIndex, std::vector<std::size_t>> starts;
-    for (std::size_t i = 0; i < segments_.size(); ++i) starts[segments_[i].from].push_back(i);
+    for (std::size_t i = 0; i < segments_.size(); ++i)
+      if (!segments_[i].used) starts[segments_[i].from].push_back(i);
     const std::array<std::size_t, 2> axes{(plane_.axis + 1) % 3, (plane_.axis + 2) % 3};
     std::vector<Ring> outlines;
     std::vector<Ring> holes;
@@ -329,7 +329,7 @@ class Cutter {
   std::size_t open_rings_ = 0;
   std::unordered_map<EdgeKey, VertexIndex> cuts_;
   std::vector<Segment> segments_;                          // of one body
-  std::unordered_map<EdgeKey, std::uint32_t> unpaired_;  // how many of these go from one vertex to another
+  std::unordered_map<EdgeKey, std::vector<std::size_t>> unpaired_;  // of these, by both vertices
 };
 
 // The scene as a mesh in the unit of the file. Borders between colours of single faces are no lines, so that these materials are left out.
