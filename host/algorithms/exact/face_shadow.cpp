@@ -97,15 +97,16 @@ bool LineSight::begin(std::uint32_t number) {
   return factors_[0] != 0 || factors_[1] != 0;
 }
 
+geometry::Rational LineSight::place(const Fraction<Number>& f) const {
+  using Part = geometry::WideInteger<123>;
+  using Weight = geometry::WideInteger<62>;
+  const auto to = Part(f.numerator) * Weight(Number{ends_[1].weight()});
+  const auto from = Part(f.denominator - f.numerator) * Weight(Number{ends_[0].weight()});
+  return geometry::rounded_fraction<187>(to, from + to);
+}
+
 void LineSight::append(const Fraction<Number>& low, const Fraction<Number>& high,
                        std::vector<picture::LinePiece>& pieces) const {
-  const auto place = [&](const Fraction<Number>& f) {
-    using Part = geometry::WideInteger<123>;
-    using Weight = geometry::WideInteger<62>;
-    const auto to = Part(f.numerator) * Weight(Number{ends_[1].weight()});
-    const auto from = Part(f.denominator - f.numerator) * Weight(Number{ends_[0].weight()});
-    return geometry::rounded_fraction<187>(to, from + to);
-  };
   const geometry::Rational from = place(low);
   const geometry::Rational to = place(high);
   if (!pieces.empty() && pieces.back().edge == edge_ && pieces.back().high == from) {
@@ -120,10 +121,11 @@ bool EdgeShadow<Sight>::begin(std::uint32_t edge) {
   if (!sight_.begin(edge)) return false;
   split_ = false;
   left_.clear();
+  log_.clear();
   if (view_.perspective) {
     const auto [near, far] = sight_.at_ends({view_.forward, 0});
-    if (near < 0) left_.add({0, 1}, zero_between(near, far));
-    if (far < 0) left_.add(zero_between(near, far), {1, 1});
+    if (near < 0) hide({{0, 1}, zero_between(near, far)}, true, true);
+    if (far < 0) hide({zero_between(near, far), {1, 1}}, true, true);
   }
   return true;
 }
@@ -245,6 +247,7 @@ void EdgeShadow<Sight>::hide_where(bool inside, std::span<const Place> changes, 
 
 template <class Sight>
 void EdgeShadow<Sight>::hide(const Interval& interval, bool left, bool right) {
+  if (keeps_log_) log_.push_back({interval, left, right});
   if (left != right && !split_) {
     split_ = true;
     right_ = left_;

@@ -38,8 +38,9 @@ class EdgeSight {
   [[nodiscard]] Number side(const Vector& p) const { return plane_.at(p); }
   // The values of a plane at both ends.
   [[nodiscard]] std::array<Number, 2> at_ends(const Plane& plane) const { return {plane.at(a_), plane.at(b_)}; }
+  [[nodiscard]] geometry::Rational place(const Fraction<Number>& f) const { return {f.numerator, f.denominator}; }
   void append(const Fraction<Number>& low, const Fraction<Number>& high, std::vector<picture::LinePiece>& pieces) const {
-    pieces.push_back({edge_, {low.numerator, low.denominator}, {high.numerator, high.denominator}});
+    pieces.push_back({edge_, place(low), place(high)});
   }
 
  private:
@@ -67,8 +68,9 @@ class LineSight {
     return Number{planes_[0].at(p)} * factors_[0] + Number{planes_[1].at(p)} * factors_[1];
   }
   [[nodiscard]] std::array<Number, 2> at_ends(const Plane& plane) const { return {ends_[0].value(plane), ends_[1].value(plane)}; }
-  // Ends are rounded to multiples of 2^-60; pieces that become empty are left out, and pieces that become adjacent are
-  // joined.
+  // The parameter from one end of the line to the other, rounded to a multiple of 2^-60.
+  [[nodiscard]] geometry::Rational place(const Fraction<Number>& f) const;
+  // Pieces that become empty by rounding are left out, and pieces that become adjacent are joined.
   void append(const Fraction<Number>& low, const Fraction<Number>& high, std::vector<picture::LinePiece>& pieces) const;
 
  private:
@@ -94,6 +96,16 @@ class EdgeShadow {
   bool add(const Occluder& occluder);
   // Appends the visible pieces.
   void append_visible(std::vector<picture::LinePiece>& pieces) const;
+
+  // What was hidden since begin(), if a log is kept: first the part behind the eye, then by each face.
+  struct LogEntry {
+    Interval interval;
+    bool left = false;
+    bool right = false;
+  };
+  void keep_log() { keeps_log_ = true; }
+  [[nodiscard]] const std::vector<LogEntry>& log() const { return log_; }
+  [[nodiscard]] geometry::Rational place(const Place& place) const { return sight_.place(place); }
 
  private:
   // The values at the edge's ends of the plane of sight through a side that crosses the plane of the edge: positive where
@@ -121,6 +133,8 @@ class EdgeShadow {
   HiddenPart<Number> right_;
   std::vector<Number> sides_;  // of the current face's corners, relative to the edge
   std::vector<Place> changes_;
+  bool keeps_log_ = false;
+  std::vector<LogEntry> log_;
 };
 
 extern template class EdgeShadow<EdgeSight>;

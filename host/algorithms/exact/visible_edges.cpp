@@ -9,6 +9,7 @@
 #include "host/algorithms/exact/face_shadow.hpp"
 #include "host/algorithms/exact/image_grid.hpp"
 #include "host/algorithms/exact/view.hpp"
+#include "host/algorithms/exact/witnesses.hpp"
 #include "host/base/threads.hpp"
 
 namespace sightline::algorithms::exact {
@@ -16,18 +17,26 @@ namespace {
 
 // The listener of a search without a trace: its calls compile to nothing.
 struct NoListener {
-  void edge(const picture::LineEdge&) {}
+  template <class Shadow>
+  void attach(Shadow&) {}
+  template <class Shadow>
+  void edge(const picture::LineEdge&, const Shadow&) {}
   template <class Shadow>
   void compared(const picture::LineEdge&, const Occluder&, bool, const Shadow&) {}
+  template <class Shadow>
+  void searched(const picture::LineEdge&, const Shadow&) {}
   void result(const picture::LineEdge&, bool, std::span<const picture::LinePiece>) {}
 };
 
 // Reports to a Trace what is visible of an edge after each comparison.
-class TraceListener {
+class TraceListener : public NoListener {
  public:
   explicit TraceListener(Trace& trace) : trace_(trace) {}
 
-  void edge(const picture::LineEdge& edge) { trace_.edge(edge); }
+  template <class Shadow>
+  void edge(const picture::LineEdge& edge, const Shadow&) {
+    trace_.edge(edge);
+  }
   template <class Shadow>
   void compared(const picture::LineEdge& edge, const Occluder& occluder, bool hidden, const Shadow& shadow) {
     std::vector<picture::LinePiece> left;
@@ -42,12 +51,84 @@ class TraceListener {
   Trace& trace_;
 };
 
+// Collects witnesses from the log of each edge.
+class ProofListener : public NoListener {
+ public:
+  template <class Shadow>
+  void attach(Shadow& shadow) {
+    shadow.keep_log();
+  }
+  template <class Shadow>
+  void edge(const picture::LineEdge&, const Shadow& shadow) {
+    faces_.assign(shadow.log().size(), Witness::behind_eye);
+  }
+  template <class Shadow>
+  void compared(const picture::LineEdge&, const Occluder& occluder, bool, const Shadow& shadow) {
+    faces_.resize(shadow.log().size(), occluder.face);
+  }
+  template <class Shadow>
+  void searched(const picture::LineEdge&, const Shadow& shadow) {
+    const auto& log = shadow.log();
+    const bool split = std::any_of(log.begin(), log.end(), [](const auto& entry) { return entry.left != entry.right; });
+    proof_.reason = EdgeProof::Reason::witnesses;
+    proof_.left = chain(shadow, true, false);
+    proof_.right = split ? chain(shadow, false, true) : proof_.left;
+  }
+
+  // Call begin(), then search an edge; the result is valid until the next begin().
+  void begin(const picture::LineEdge& edge) {
+    proof_ = {.edge = edge, .reason = EdgeProof::Reason::point, .left = {}, .right = {}};
+  }
+  [[nodiscard]] EdgeProof& proof() { return proof_; }
+
+ private:
+  // The fewest entries of the log, for one side, that cover what is hidden.
+  template <class Shadow>
+  [[nodiscard]] std::vector<Witness> chain(const Shadow& shadow, bool left, bool right) {
+    const auto& log = shadow.log();
+    order_.clear();
+    for (std::uint32_t i = 0; i < log.size(); ++i)
+      if (((log[i].left && left) || (log[i].right && right)) && less(log[i].interval.low, log[i].interval.high)) order_.push_back(i);
+    const auto low = [&](std::size_t i) -> const auto& { return log[order_[i]].interval.low; };
+    std::stable_sort(order_.begin(), order_.end(), [&log](std::uint32_t a, std::uint32_t b) { return less(log[a].interval.low, log[b].interval.low); });
+    std::vector<Witness> witnesses;
+    for (std::size_t next = 0; next < order_.size();) {
+      // An interval that begins where nothing is hidden, then those that reach farthest of all that begin in or at the
+      // end of what is covered.
+      auto reach = low(next);
+      for (bool longer = true; longer;) {
+        longer = false;
+        std::uint32_t farthest = 0;
+        auto end = reach;
+        for (; next < order_.size() && !less(reach, low(next)); ++next) {
+          if (!less(end, log[order_[next]].interval.high)) continue;
+          longer = true;
+          farthest = order_[next];
+          end = log[farthest].interval.high;
+        }
+        if (!longer) break;
+        const Witness witness{shadow.place(log[farthest].interval.low), shadow.place(end), faces_[farthest]};
+        if (witness.low < witness.high) witnesses.push_back(witness);
+        reach = end;
+      }
+    }
+    return witnesses;
+  }
+
+  EdgeProof proof_;
+  std::vector<std::uint32_t> faces_;  // by entry of the log
+  std::vector<std::uint32_t> order_;  // of the log's entries
+};
+
 // Compares edges, one after the other, with the occluders near them.
 template <class Listener>
 class Search {
  public:
   Search(const View& view, const ImageGrid& grid, const picture::ChosenEdges* chosen, Listener& listener)
-      : view_(view), grid_(grid), shadow_(view), line_shadow_(view), chosen_(chosen), listener_(listener) {}
+      : view_(view), grid_(grid), shadow_(view), line_shadow_(view), chosen_(chosen), listener_(listener) {
+    listener_.attach(shadow_);
+    listener_.attach(line_shadow_);
+  }
 
   void append_visible(std::uint32_t number, std::vector<picture::LinePiece>& pieces) {
     if (number < view_.mesh->first_line()) append_visible(number, shadow_, pieces);
@@ -61,8 +142,9 @@ class Search {
     const std::size_t before = pieces.size();
     const bool searched = view_.drawn[number] != 0 && shadow.begin(number);
     if (searched) {
-      listener_.edge(edge);
+      listener_.edge(edge, shadow);
       if (!is_hidden(number, shadow)) shadow.append_visible(pieces);
+      listener_.searched(edge, shadow);
     }
     listener_.result(edge, searched, std::span(pieces).subspan(before));
   }
@@ -269,6 +351,41 @@ picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera
                                    const picture::ChosenEdges* chosen, unsigned jobs) {
   if (jobs == 1 && mesh.edges.size() < fewest_edges_ordered) return search_edges(mesh, camera, NoListener(), chosen);
   return search_ordered(mesh, camera, chosen, jobs);
+}
+
+picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera, const picture::ChosenEdges* chosen,
+                                   std::vector<EdgeProof>& proofs) {
+  const View view = make_view(mesh, camera, chosen);
+  const ImageGrid grid(view.occluder_bounds, view.occluder_depths);
+  ProofListener listener;
+  Search<ProofListener> search(view, grid, chosen, listener);
+  proofs.clear();
+  proofs.resize(chosen != nullptr ? chosen->edges.size() : mesh.edges.size());
+  // The number of an edge's proof; edges that are not drawn have none yet.
+  const auto proof_of = [&](std::uint32_t edge) -> EdgeProof& { return proofs[chosen != nullptr ? view.choices[edge] : edge]; };
+  const std::vector<std::uint32_t> order = in_image_order(view, grid);
+  std::vector<SeenPart> parts(1);
+  parts[0].counts.reserve(order.size());
+  for (const std::uint32_t edge : order) {
+    std::vector<picture::LinePiece>& pieces = parts[0].block();
+    const std::size_t before = pieces.size();
+    listener.begin(mesh.edges[edge]);
+    search.append_visible(edge, pieces);
+    parts[0].counts.push_back(static_cast<std::uint32_t>(pieces.size() - before));
+    proof_of(edge) = std::move(listener.proof());
+  }
+  auto number = mesh.edges.begin();
+  for (std::size_t p = 0; p < proofs.size(); ++p) {
+    EdgeProof& proof = proofs[p];
+    proof.edge = chosen != nullptr ? chosen->edges[p] : mesh.edges[p];
+    number = std::lower_bound(number, mesh.edges.end(), proof.edge);
+    if (view.drawn[static_cast<std::size_t>(number - mesh.edges.begin())] != 0) continue;
+    if (!view.before_eye(view.points[proof.edge.from]) && !view.before_eye(view.points[proof.edge.to]))
+      proof.left = proof.right = {{0, 1, Witness::behind_eye}};
+    else
+      proof.reason = EdgeProof::Reason::turned_away;
+  }
+  return by_edge(parts, order, mesh.edges.size());
 }
 
 picture::LinePicture visible_edges(const scene::PolyScene& scene, const scene::PolyCamera& camera, Trace& trace) {
