@@ -29,6 +29,7 @@
 #include <string_view>
 #include <vector>
 
+#include "host/algorithms/exact/witnesses.hpp"
 #include "host/algorithms/registry/lines.hpp"
 #include "host/base/result.hpp"
 #include "host/picture/edge_choice.hpp"
@@ -115,6 +116,7 @@ struct ViewOptions {
   std::optional<std::uint32_t> cut_material = {};
   picture::DrawingField field = {};        // the size of the drawing, and the part of the image that it shows
   bool strokes = false;                    // fill in Drawing::strokes
+  bool proof = false;                      // fill in Drawing::proof; only with the algorithm `exact`
   unsigned jobs = 1;                       // threads for a view, if the algorithm can use several; the result is the same
 };
 
@@ -127,6 +129,12 @@ struct Stroke {
   bool hidden = false;
   std::vector<std::array<std::array<double, 3>, 2>> edges = {};  // the edges that lie there: both ends, in the unit of the file
   std::vector<std::uint32_t> faces = {};                         // at these edges: numbers in the file from 1, ascending
+};
+
+// Which faces hide the hidden parts of each edge.
+struct Proof {
+  std::optional<picture::ChosenEdges> chosen;  // nullopt: all edges
+  std::vector<algorithms::exact::EdgeProof> edges;
 };
 
 struct Drawing {
@@ -145,6 +153,7 @@ struct Drawing {
   std::size_t stroke_count = 0;
   double drawn_length = 0;  // of all strokes, in the unit of the field
   std::vector<Stroke> strokes = {};
+  std::shared_ptr<const Proof> proof = {};  // null unless ViewOptions::proof
   std::vector<std::string> notes = {};  // of hidden_lines::view; for Views see Views::notes
 };
 
@@ -164,6 +173,9 @@ class Views {
   // Precondition: the eye is in no solid and on no face (see scene::eye_error).
   // Error bad_input: the algorithm does not apply to the view, or there would be too many lines of hatching.
   [[nodiscard]] base::Result<Drawing> at(const Camera& camera) const;
+  // The proof of a drawing as text, which `sightline verify` checks: tools/verify/README.md.
+  // Preconditions: the drawing was made by at() for this camera, with ViewOptions::proof.
+  [[nodiscard]] std::string certificate(const Camera& camera, const Drawing& drawing) const;
   [[nodiscard]] const std::vector<std::string>& notes() const;
 
  private:

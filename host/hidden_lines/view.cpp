@@ -10,6 +10,7 @@
 #include "host/algorithms/oracle/matter_scene.hpp"
 #include "host/base/json.hpp"
 #include "host/base/threads.hpp"
+#include "host/hidden_lines/certificate.hpp"
 #include "host/hidden_lines/hidden_lines.hpp"
 #include "host/picture/camera_view.hpp"
 #include "host/picture/hatching.hpp"
@@ -171,6 +172,8 @@ class Views::Work {
     if (auto checked = check(options_.edges); !checked) return checked;
     if (options_.hatch)
       if (auto checked = check(*options_.hatch); !checked) return checked;
+    if (options_.proof && algorithm_.name != "exact")
+      return base::Error{.file = "proof", .found = fmt::format("found with {}", algorithm_.name), .expected = "exact", .kind = base::ErrorKind::usage};
     find_matter(cameras);
     std::optional<base::Result<registry::PreparedScene>> made;
     if (!matter_) made = choose_edges();
@@ -194,9 +197,16 @@ class Views::Work {
     std::optional<ChosenEdges> chosen;
     if (matter_) chosen = matter_->lines_at(camera.eye);
     else if (chooser_) chosen = chooser_->at(camera);
-    auto seen = chosen ? registry::view_of(prepared_, camera, *chosen) : prepared_.view(camera);
-    if (!seen) return in_file(std::move(seen.error()), source_.name);
     Drawing result;
+    Proof proof;
+    auto seen = options_.proof ? prepared_.prove(camera, chosen ? &*chosen : nullptr, proof.edges)
+                : chosen       ? registry::view_of(prepared_, camera, *chosen)
+                               : prepared_.view(camera);
+    if (!seen) return in_file(std::move(seen.error()), source_.name);
+    if (options_.proof) {
+      proof.chosen = chosen;
+      result.proof = std::make_shared<const Proof>(std::move(proof));
+    }
     result.visible = std::move(seen->picture);
     result.counts = std::move(seen->counts);
     if (chosen && (chosen_by_user_ || matter_)) {
@@ -223,11 +233,12 @@ class Views::Work {
   }
 
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
-
- private:
+  // What is drawn: the scene with its lines.
   [[nodiscard]] const scene::PolyScene& scene() const {
     return matter_ ? matter_->scene() : own_scene_ ? *own_scene_ : source_.scene;
   }
+
+ private:
 
   // Real lines are drawn if the algorithm can draw lines other than edges of faces, and the options do not choose edges.
   void find_matter(std::span<const Camera> cameras) {
@@ -449,6 +460,10 @@ base::Result<Views> Views::of(const Scene& scene, const ViewOptions& options, st
 }
 
 base::Result<Drawing> Views::at(const Camera& camera) const { return work_->at(camera); }
+
+std::string Views::certificate(const Camera& camera, const Drawing& drawing) const {
+  return certificate_of(work_->scene(), camera, *drawing.proof);
+}
 
 const std::vector<std::string>& Views::notes() const { return work_->notes(); }
 

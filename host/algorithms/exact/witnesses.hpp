@@ -4,13 +4,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/algorithms/exact/edge_mesh.hpp"
 #include "host/geometry/rational.hpp"
 #include "host/picture/edge_choice.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::algorithms::exact {
+
+struct EdgeMesh;
 
 // An interval of an edge that one face hides from one side. Of a crossing, the ends are rounded to multiples of 2^-60.
 struct Witness {

@@ -34,6 +34,10 @@ base::Result<PreparedScene> prepare_exact_threads(const scene::PolyScene& scene,
                                       const picture::ChosenEdges& chosen) -> base::Result<LineView> {
     return LineView{algorithms::exact::visible_edges(*mesh, camera, &chosen, jobs), {}};
   };
+  prepared.prove = [mesh](const scene::PolyCamera& camera, const picture::ChosenEdges* chosen,
+                          std::vector<algorithms::exact::EdgeProof>& proofs) -> base::Result<LineView> {
+    return LineView{algorithms::exact::visible_edges(*mesh, camera, chosen, proofs), {}};
+  };
   return prepared;
 }
 

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "host/algorithms/exact/witnesses.hpp"
 #include "host/algorithms/registry/mesh_time.hpp"
 #include "host/base/result.hpp"
 #include "host/picture/edge_choice.hpp"
@@ -42,6 +43,10 @@ struct PreparedScene {
   std::function<base::Result<LineView>(const scene::PolyCamera&)> view;
   // The same for an ascending choice of edges only; null if the algorithm cannot restrict itself: see view_of.
   std::function<base::Result<LineView>(const scene::PolyCamera&, const picture::ChosenEdges&)> view_chosen = {};
+  // The same for chosen edges, or all if there is no choice, with a proof for each edge; null if the algorithm has none.
+  std::function<base::Result<LineView>(const scene::PolyCamera&, const picture::ChosenEdges*,
+                                       std::vector<algorithms::exact::EdgeProof>&)>
+      prove = {};
   std::vector<AlgorithmCount> counts;  // about the preparation of the scene
 };
 

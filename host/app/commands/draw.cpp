@@ -180,7 +180,8 @@ struct DrawLinesArguments {
   std::string hatch;  // "ANGLE,SPACING"
   std::string light;  // "X,Y,Z"
   double min_length = 0;
-  std::string strokes;  // name of a file
+  std::string strokes;      // name of a file
+  std::string certificate;  // name of a file
   int turntable = 1;
   std::vector<std::string> views;  // of a sheet
   bool first_angle = false;
@@ -360,6 +361,7 @@ hidden_lines::ViewOptions view_options(const registry::LineAlgorithm& algorithm,
                                                 : hidden_lines::Layers::kind;
   options.hatch = hatching(arguments);
   options.strokes = !arguments.strokes.empty();
+  options.proof = !arguments.certificate.empty();
   options.jobs = arguments.jobs;
   return options;
 }
@@ -515,8 +517,10 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
     const std::string strokes_name = arguments.strokes.empty() ? "" : numbered(arguments.strokes, i + 1, arguments.turntable);
     std::optional<Output> file;
     std::optional<Output> strokes;
-    const std::array outputs{NamedOutput{&output.file, &file}, NamedOutput{&strokes_name, &strokes}};
-    static_cast<void>(open_outputs(outputs, arguments.json, "-: named by --output and --strokes"));
+    std::optional<Output> certificate;
+    const std::array outputs{NamedOutput{&output.file, &file}, NamedOutput{&strokes_name, &strokes},
+                             NamedOutput{&arguments.certificate, &certificate}};
+    static_cast<void>(open_outputs(outputs, arguments.json, "-: named by two of --output, --strokes and --certificate"));
     std::optional<base::ProgressClock> clock;
     if (arguments.turntable == 1) clock.emplace(fmt::format("{}: {} faces", algorithm.name, faces));
     if (!views) views = views_of(source, options, cameras);
@@ -527,6 +531,10 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
     if (strokes) {
       strokes->write(std::string_view(hidden_lines::json_lines(drawn.strokes, output.paper.margin)));
       strokes->commit();
+    }
+    if (certificate) {
+      certificate->write(std::string_view(views->certificate(camera.camera, drawn)));
+      certificate->commit();
     }
     strokes_drawn += drawn.stroke_count;
     length_drawn += drawn.drawn_length;
@@ -549,6 +557,7 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
   };
   report_written(written(arguments.output.file), fmt::format("{}, {}", summary, size_text(arguments.output, format)));
   report_written(written(arguments.strokes), count_text(strokes_drawn, "line"));
+  report_written(arguments.certificate, "check it with `sightline verify`");
   return ExitCode::ok;
 }
 
@@ -645,6 +654,14 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
           .value("FILE");
   if (registry::find_face_algorithm(algorithm.name) != nullptr)
     command.find_option("--fill").excludes(scale).excludes(min_length).excludes(strokes);
+  if (algorithm.name == "exact") {
+    const Option certificate =
+        command
+            .option("--certificate", arguments->certificate,
+                    "Also write a proof of which parts of the edges are visible in this view, for `sightline verify`")
+            .value("FILE");
+    for (const char* other : {"--turntable", "--views"}) certificate.excludes(command.find_option(other));
+  }
   command.flag("--json", arguments->json, "Print what was drawn as one JSON document on standard output");
   command.run([arguments, &algorithm] { return run_draw_lines(algorithm, *arguments); });
 }
