@@ -19,20 +19,6 @@ namespace {
 
 using Vector = geometry::RealVector;
 
-// The values of --view and their directions of view. Axes: right, up, and away from a viewer in front of the scene.
-struct Preset {
-  std::string_view name;
-  Vector direction;
-};
-constexpr double root_of_seven = 2.6457513110645906;  // two axes appear at equal length, the third at half of it
-constexpr std::array presets{
-    Preset{"front", {0, 0, 1}},         Preset{"back", {0, 0, -1}},  Preset{"left", {1, 0, 0}},
-    Preset{"right", {-1, 0, 0}},        Preset{"top", {0, -1, 0}},   Preset{"bottom", {0, 1, 0}},
-    Preset{"iso", {-1, -1, 1}},         Preset{"dimetric", {-1, -1, root_of_seven}},
-    Preset{"trimetric", {-12, -9, 20}}, Preset{"NE", {-1, -1, -1}},  Preset{"NW", {1, -1, -1}},
-    Preset{"SE", {-1, -1, 1}},          Preset{"SW", {1, -1, 1}},
-};
-
 // Parses three numbers; if `whole`, whole numbers below `limit` in magnitude.
 Vector vector_argument(std::string_view option, const std::string& text, bool whole, std::int32_t limit) {
   if (whole) {
@@ -124,100 +110,34 @@ scene::PolyCamera exact_vectors(const CameraArguments& arguments, scene::PolyCam
   return camera;
 }
 
-// A point as given, and the grid point to which it is rounded.
-struct GridPoint {
-  Vector given{};  // in steps
-  scene::PolyPoint at{};
-};
-
-GridPoint grid_point_argument(std::string_view option, const std::string& text, const CameraArguments& arguments,
-                         const scene::PolyScene& scene) {
-  const Vector given = vector_argument(option, text, arguments.steps, scene::poly_coordinate_limit);
-  if (arguments.steps) return {given, scene::direction_of(given)};
-  GridPoint point;
-  for (std::size_t a = 0; a < 3; ++a) point.given[a] = given[a] / scene.step - static_cast<double>(scene.origin[a]);
-  const auto at = scene::grid_point(scene, given);
-  if (!at) {
-    const std::int32_t most = scene::poly_coordinate_limit - 1;
-    throw base::usage_error(fmt::format("{}: found {}, expected a point between {} and {}", option, text,
-                              scene::file_point_text(scene, {-most, -most, -most}),
-                              scene::file_point_text(scene, {most, most, most})));
-  }
-  point.at = *at;
-  return point;
+// What the options ask for, except for --forward and --right.
+hidden_lines::Aim aim_of(const CameraArguments& arguments) {
+  hidden_lines::Aim aim{.view = arguments.view, .perspective = arguments.perspective, .vertical = arguments.vertical, .steps = arguments.steps};
+  const auto point = [&](std::string_view option, const std::string& text) -> std::optional<Vector> {
+    if (text.empty()) return std::nullopt;
+    return vector_argument(option, text, arguments.steps, scene::poly_coordinate_limit);
+  };
+  const auto direction = [](std::string_view option, const std::string& text) -> std::optional<Vector> {
+    if (text.empty()) return std::nullopt;
+    return direction_argument(option, text);
+  };
+  aim.eye = point("--eye", arguments.eye);
+  aim.look_at = point("--look-at", arguments.look_at);
+  aim.direction = direction("--orthographic", arguments.orthographic);
+  if (!has_exact_vectors(arguments)) aim.up = direction("--up", arguments.up);
+  return aim;
 }
 
-class Aiming {
- public:
-  Aiming(const CameraArguments& arguments, const scene::PolyScene& scene)
-      : arguments_(arguments), scene_(scene), frame_(frame_of(arguments, scene)) {}
-
-  [[nodiscard]] AimedCamera aim() const {
-    if (!arguments_.view.empty()) return preset();
-    if (!arguments_.orthographic.empty()) {
-      const scene::PolyPoint middle = bounds_of(scene_).middle();
-      return towards(middle, direction_argument("--orthographic", arguments_.orthographic), false);
-    }
-    scene::PolyCamera camera = scene_.camera;
-    if (!arguments_.vertical.empty() && !scene_.vertices.empty()) camera = three_quarter_camera(frame_, scene_);
-    if (arguments_.eye.empty() && arguments_.look_at.empty()) {
-      return arguments_.up.empty() ? AimedCamera{camera} : towards(camera.eye, geometry::real_vector(camera.forward), camera.perspective);
-    }
-    camera.perspective = true;
-    GridPoint eye{geometry::real_vector(camera.eye), camera.eye};
-    if (!arguments_.eye.empty()) eye = grid_point_argument("--eye", arguments_.eye, arguments_, scene_);
-    camera.eye = eye.at;
-    const scene::PolyBounds bounds = bounds_of(scene_);
-    if (arguments_.look_at.empty() && bounds.contain(camera.eye)) return {camera};
-    Vector target = geometry::real_vector(bounds.middle());
-    if (!arguments_.look_at.empty()) {
-      const GridPoint point = grid_point_argument("--look-at", arguments_.look_at, arguments_, scene_);
-      if (point.at == eye.at)
-        throw base::usage_error(fmt::format("--look-at: found the eye itself, {}", arguments_.look_at));
-      target = point.given;
-    }
-    if (target == eye.given) target = geometry::real_vector(bounds.low);
-    return towards(camera.eye, geometry::difference(target, eye.given), true);
-  }
-
- private:
-  [[nodiscard]] AimedCamera preset() const {
-    for (const Preset& each : presets) {
-      if (each.name != arguments_.view) continue;
-      const scene::SceneSides sides = sides_of(frame_);
-      Vector direction{};
-      for (std::size_t a = 0; a < 3; ++a) {
-        direction[a] = each.direction[0] * sides.right[a] + each.direction[1] * sides.up[a] +
-                       each.direction[2] * sides.away[a];
-      }
-      const scene::PolyCamera camera = camera_outside(frame_, scene_, direction, arguments_.perspective);
-      // --up does not change the direction of view.
-      const AimedCamera aimed =
-          arguments_.up.empty() ? AimedCamera{camera} : towards(camera.eye, geometry::real_vector(camera.forward), camera.perspective);
-      return {aimed.camera, angle_to(aimed.camera, direction)};
-    }
-    throw base::usage_error(fmt::format("--view: found \"{}\", expected {}, or the eye, X,Y,Z", arguments_.view,
-                                               base::joined(preset_names(), ", ")));
-  }
-
-  [[nodiscard]] AimedCamera towards(const scene::PolyPoint& eye, const Vector& direction, bool perspective) const {
-    if (arguments_.up.empty()) {
-      const scene::PolyCamera camera = aimed_camera(frame_, eye, scene::direction_of(direction), perspective);
-      return {camera, angle_to(camera, direction)};
-    }
-    const Vector up = direction_argument("--up", arguments_.up);
-    const scene::PolyPoint a = scene::direction_of(up);
-    const scene::PolyPoint b = scene::direction_of(direction);
-    if (geometry::is_zero(geometry::cross(geometry::vector_of(a), geometry::vector_of(b))))
-      throw base::usage_error(fmt::format("--up: found {}, along the line of sight; expected another direction", arguments_.up));
-    const scene::PolyCamera camera = turned_camera(frame_, eye, direction, up, perspective);
-    return {camera, angle_to(camera, direction)};
-  }
-
-  const CameraArguments& arguments_;
-  const scene::PolyScene& scene_;
-  scene::SceneFrame frame_;
-};
+// The value of a result; an error about a member of Aim is thrown with the name of the option.
+template <class Value>
+Value value_of_aim(base::Result<Value> result) {
+  if (result) return *std::move(result);
+  base::Error error = std::move(result.error());
+  if (error.file == "look_at") error.file = "--look-at";
+  else if (error.file == "direction") error.file = "--orthographic";
+  else error.file = "--" + error.file;
+  throw error;
+}
 
 // Rotates about the vertical axis by `number` of `count` parts of a turn.
 Vector rotate(const scene::SceneFrame& frame, const Vector& p, int number, int count) {
@@ -232,12 +152,6 @@ Vector rotate(const scene::SceneFrame& frame, const Vector& p, int number, int c
 
 }  // namespace
 
-std::vector<std::string> preset_names() {
-  std::vector<std::string> names;
-  for (const Preset& each : presets) names.emplace_back(each.name);
-  return names;
-}
-
 void add_camera_options(const Command& command, CameraArguments& arguments) {
   const auto add = [&](const char* name, std::string& value, const char* help) {
     command.option(name, value, help).value("X,Y,Z").group("View");
@@ -247,7 +161,7 @@ void add_camera_options(const Command& command, CameraArguments& arguments) {
   add("--orthographic", arguments.orthographic, "No perspective: look in this direction");
   command
       .option("--view", arguments.view,
-              fmt::format("A standard view in parallel projection: {}; or the camera position, as --eye", base::joined(preset_names(), ", ")))
+              fmt::format("A standard view in parallel projection: {}; or the camera position, as --eye", base::joined(hidden_lines::view_names(), ", ")))
       .value("NAME")
       .group("View");
   command.flag("--perspective", arguments.perspective, "Show the view of --view in perspective").group("View");
@@ -295,27 +209,15 @@ std::optional<std::array<double, 3>> eye_of(const CameraArguments& arguments) {
 }
 
 scene::SceneFrame frame_of(const CameraArguments& arguments, const scene::PolyScene& scene) {
-  scene::SceneFrame frame = scene::frame_of(scene.camera);
-  if (arguments.vertical.empty()) return frame;
-  frame.downwards = arguments.vertical.size() == 2;
-  frame.vertical = static_cast<std::size_t>(arguments.vertical.back() - 'x');
-  return frame;
+  return value_of_aim(hidden_lines::frame_of({.vertical = arguments.vertical}, scene));
 }
 
 AimedCamera camera_anywhere(const CameraArguments& given, const scene::PolyScene& scene) {
   const CameraArguments arguments = with_eye(given);
   reject_mutually_exclusive(arguments);
-  AimedCamera aimed;
-  if (!has_exact_vectors(arguments)) {
-    aimed = Aiming(arguments, scene).aim();
-  } else {
-    aimed.camera = exact_vectors(arguments, scene.camera);
-    if (!arguments.eye.empty()) {
-      aimed.camera.eye = grid_point_argument("--eye", arguments.eye, arguments, scene).at;
-      aimed.camera.perspective = true;
-    }
-  }
-  return aimed;
+  AimedCamera aimed = value_of_aim(hidden_lines::aimed_camera(aim_of(arguments), scene));
+  if (!has_exact_vectors(arguments)) return aimed;
+  return {exact_vectors(arguments, aimed.camera)};
 }
 
 void require_free_eye(const scene::PolyScene& scene, const scene::PolyCamera& camera, const std::string& source) {

@@ -11,6 +11,7 @@
 
 #include "host/app/command_line.hpp"
 #include "host/base/json.hpp"
+#include "host/hidden_lines/aim.hpp"
 #include "host/scene/model/aim_camera.hpp"
 #include "host/scene/model/poly_scene.hpp"
 #include "host/scene/read/poly_import.hpp"
@@ -47,14 +48,7 @@ void add_field_option(const Command& command, std::optional<double>& field, cons
 // because the up vector of a camera that looks steeply down is nearly horizontal.
 [[nodiscard]] scene::SceneFrame frame_of(const CameraArguments& arguments, const scene::PolyScene& scene);
 
-// A camera, and the angle between its direction and the requested one.
-struct AimedCamera {
-  scene::PolyCamera camera;
-  double error = 0;  // degrees
-};
-
-// The names of standard views, the values of --view.
-[[nodiscard]] std::vector<std::string> preset_names();
+using hidden_lines::AimedCamera;
 
 // The scene's own camera, changed by the options, wherever its eye is. Error usage: options that contradict each other or are no vectors.
 [[nodiscard]] AimedCamera camera_anywhere(const CameraArguments& arguments, const scene::PolyScene& scene);

@@ -38,6 +38,7 @@ ExitCode exit_code_of(base::ErrorKind kind) {
     case base::ErrorKind::program_failed: return ExitCode::guest_failed;
     case base::ErrorKind::differs: return ExitCode::differs;
     case base::ErrorKind::io: return ExitCode::io;
+    case base::ErrorKind::cancelled: return ExitCode::interrupted;
     case base::ErrorKind::bad_input: break;
   }
   return ExitCode::bad_input;

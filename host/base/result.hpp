@@ -27,6 +27,7 @@ enum class ErrorKind : std::uint8_t {
   program_failed,  // the program on an emulated machine did not finish correctly
   differs,         // results that must be equal differ
   io,              // something cannot be read, written or started
+  cancelled,       // ended early, as its caller wished
 };
 
 // Any text may be empty; a message omits empty texts. Commands and experiments throw an Error; all others return it in a Result.

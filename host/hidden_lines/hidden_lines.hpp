@@ -32,6 +32,8 @@
 #include "host/algorithms/exact/witnesses.hpp"
 #include "host/algorithms/registry/lines.hpp"
 #include "host/base/result.hpp"
+#include "host/base/watch.hpp"
+#include "host/geometry/rational.hpp"
 #include "host/picture/edge_choice.hpp"
 #include "host/picture/line_drawing.hpp"
 #include "host/picture/line_picture.hpp"
@@ -115,20 +117,50 @@ struct ViewOptions {
   // Of a section (scene::section_of): its cut faces are hatched, with lines 2 units of the field apart.
   std::optional<std::uint32_t> cut_material = {};
   picture::DrawingField field = {};        // the size of the drawing, and the part of the image that it shows
-  bool strokes = false;                    // fill in Drawing::strokes
+  bool strokes = false;                    // tell where each line comes from: Drawing::strokes and the following members
   bool proof = false;                      // fill in Drawing::proof; only with the algorithm `exact`
   unsigned jobs = 1;                       // threads for a view, if the algorithm can use several; the result is the same
+};
+
+inline constexpr std::uint32_t no_number = 0xffffffff;
+
+// An edge of which a drawing shows a part, in terms of the file that the scene came from.
+struct DrawnEdge {
+  picture::LineEdge edge;                        // by vertex numbers of the scene
+  std::string_view kind;                         // of picture::edge_kind_names or picture::hatching_kinds
+  std::array<std::array<double, 3>, 2> ends{};   // in the unit of the file
+  std::array<std::uint32_t, 2> vertices{no_number, no_number};  // numbers in the file from 0; no_number: the line is no edge of a face
+  // The faces at the edge: numbers in the file from 0, ascending, in Drawing::edge_faces.
+  std::uint32_t first_face = 0;
+  std::uint32_t face_count = 0;
+  std::uint32_t body = no_number;  // of the scene; of an edge of several bodies the first; no_number: a wire
+};
+
+// An exact part of an edge.
+struct DrawnPart {
+  std::uint32_t edge = 0;  // of Drawing::edges
+  geometry::Rational low;
+  geometry::Rational high;
+  bool hidden = false;
+  // Of a hidden part, a face that hides it: a number in the file from 0. no_number: the part is behind the eye, or its own solid hides
+  // the edge.
+  std::uint32_t hidden_by = no_number;
 };
 
 // A straight line of a drawing. Strokes do not overlap.
 struct Stroke {
   std::array<double, 2> from{};  // in the unit of the field, from its bottom left
   std::array<double, 2> to{};
-  std::string kind;  // of picture::edge_kind_names or picture::hatching_kinds
-  std::string layer;
+  std::uint32_t layer = 0;       // of Drawing::layers
+  // Numbers of the edges that lie there, ascending, in Drawing::stroke_edges.
+  std::uint32_t first_edge = 0;
+  std::uint32_t edge_count = 0;
+};
+
+struct DrawnLayer {
+  std::string kind;  // of the edges
+  std::string name;
   bool hidden = false;
-  std::vector<std::array<std::array<double, 3>, 2>> edges = {};  // the edges that lie there: both ends, in the unit of the file
-  std::vector<std::uint32_t> faces = {};                         // at these edges: numbers in the file from 1, ascending
 };
 
 // Which faces hide the hidden parts of each edge.
@@ -152,7 +184,14 @@ struct Drawing {
   std::size_t hatch_pieces = 0;
   std::size_t stroke_count = 0;
   double drawn_length = 0;  // of all strokes, in the unit of the field
+  // Where the lines come from; empty without ViewOptions::strokes. Edges ascend by their vertices, parts by edge and then along
+  // it.
   std::vector<Stroke> strokes = {};
+  std::vector<DrawnLayer> layers = {};
+  std::vector<DrawnEdge> edges_drawn = {};
+  std::vector<DrawnPart> parts = {};
+  std::vector<std::uint32_t> stroke_edges = {};
+  std::vector<std::uint32_t> edge_faces = {};
   std::shared_ptr<const Proof> proof = {};  // null unless ViewOptions::proof
   std::vector<std::string> notes = {};  // of hidden_lines::view; for Views see Views::notes
 };
@@ -165,14 +204,17 @@ class Views {
   // chosen. Otherwise, and for every other scene, the edges of its faces are drawn.
   // Error usage: an option is wrong (Error::file is its name), or the algorithm does not apply to the scene. Error
   // bad_input: the algorithm failed.
-  [[nodiscard]] static base::Result<Views> of(const Scene& scene, const ViewOptions& options = {}, std::span<const Camera> cameras = {});
+  // Error cancelled: the watch ended the work.
+  [[nodiscard]] static base::Result<Views> of(const Scene& scene, const ViewOptions& options = {}, std::span<const Camera> cameras = {},
+                                              const base::Watch& watch = {});
   Views(Views&&) noexcept;
   Views& operator=(Views&&) noexcept;
   ~Views();
 
   // Precondition: the eye is in no solid and on no face (see scene::eye_error).
-  // Error bad_input: the algorithm does not apply to the view, or there would be too many lines of hatching.
-  [[nodiscard]] base::Result<Drawing> at(const Camera& camera) const;
+  // Error bad_input: the algorithm does not apply to the view, or there would be too many lines of hatching. Error cancelled: the
+  // watch ended the work.
+  [[nodiscard]] base::Result<Drawing> at(const Camera& camera, const base::Watch& watch = {}) const;
   // The proof of a drawing as text, which `sightline verify` checks: tools/verify/README.md.
   // Preconditions: the drawing was made by at() for this camera, with ViewOptions::proof.
   [[nodiscard]] std::string certificate(const Camera& camera, const Drawing& drawing) const;
@@ -227,7 +269,7 @@ class SheetLayout {
 
 // Drawing::strokes as text: one JSON object per line. Ends are moved by `margin` to the right and up and rounded to a
 // millionth.
-[[nodiscard]] std::string json_lines(std::span<const Stroke> strokes, double margin = 0);
+[[nodiscard]] std::string json_lines(const Drawing& drawing, double margin = 0);
 
 // --- Files
 

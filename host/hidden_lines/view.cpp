@@ -37,57 +37,58 @@ using picture::LinePiece;
 constexpr std::array<picture::Colour, 8> body_colours{picture::Colour{0, 0, 0}, {200, 0, 0},   {0, 0, 200},   {0, 130, 0},
                                                       {200, 100, 0},            {130, 0, 130}, {0, 130, 130}, {110, 110, 110}};
 
-// The body of an edge. For an edge of several bodies, and for a line in which two bodies cross, it is the first of them;
-// for a wire it is the number of bodies.
-class BodyOfEdge {
+// Tells where an edge comes from.
+class Origins {
  public:
-  explicit BodyOfEdge(const scene::PolyScene& scene) : scene_(scene), firsts_(scene::first_face_numbers(scene)), edges_(scene) {}
+  explicit Origins(const scene::PolyScene& scene) : firsts_(scene::first_face_numbers(scene)), edges_(scene) {}
 
-  [[nodiscard]] std::size_t operator()(const picture::LineEdge& edge) const {
-    const std::size_t number = edges_.find(edge.from, edge.to);
-    if (number == edges_.size()) return body_of(scene::crossing_at(scene_, edge.from)->face_a);
-    const auto uses = edges_.uses(number);
-    return uses.empty() ? scene_.bodies.size() : body_of(uses.front().face);
+  // The body of an edge. For an edge of several bodies, and for a line in which two bodies cross, it is the first of them;
+  // for a wire it is the number of bodies. `scene` is the scene of the origins, or one with more crossings.
+  [[nodiscard]] std::size_t body_of(const picture::LineEdge& edge, const scene::PolyScene& scene) const {
+    if (const scene::PolyCrossing* const crossing = scene::crossing_at(scene, edge.from)) return body_of_face(crossing->face_a);
+    const auto uses = edges_.uses(edges_.find(edge.from, edge.to));
+    return uses.empty() ? scene.bodies.size() : body_of_face(uses.front().face);
+  }
+
+  // Adds the faces to `all`.
+  [[nodiscard]] DrawnEdge drawn_edge(const picture::LineEdge& edge, const scene::PolyScene& scene, std::vector<std::uint32_t>& all) const {
+    DrawnEdge drawn;
+    drawn.edge = edge;
+    const std::size_t body = body_of(edge, scene);
+    if (body < scene.bodies.size()) drawn.body = static_cast<std::uint32_t>(body);
+    drawn.first_face = static_cast<std::uint32_t>(all.size());
+    if (const scene::PolyCrossing* const crossing = scene::crossing_at(scene, edge.from)) {
+      drawn.ends = {end_of_crossing(edge.from, scene), end_of_crossing(edge.to, scene)};
+      for (const std::uint32_t face : {crossing->face_a, crossing->face_b}) all.push_back(scene::face_in_file(scene, face));
+    } else {
+      for (std::size_t e = 0; e < 2; ++e) {
+        const scene::VertexIndex vertex = e == 0 ? edge.from : edge.to;
+        drawn.ends[e] = scene::file_point(scene, scene.vertices[vertex]);
+        drawn.vertices[e] = vertex < scene.vertex_in_file.size() ? scene.vertex_in_file[vertex] : vertex;
+      }
+      for (const scene::EdgeTable::Use& use : edges_.uses(edges_.find(edge.from, edge.to)))
+        all.push_back(scene::face_in_file(scene, use.face));
+    }
+    const auto first = all.begin() + drawn.first_face;
+    std::sort(first, all.end());
+    all.erase(std::unique(first, all.end()), all.end());
+    drawn.face_count = static_cast<std::uint32_t>(all.size()) - drawn.first_face;
+    return drawn;
   }
 
  private:
-  [[nodiscard]] std::size_t body_of(std::uint32_t face) const {
+  [[nodiscard]] std::size_t body_of_face(std::uint32_t face) const {
     return static_cast<std::size_t>(std::upper_bound(firsts_.begin(), firsts_.end(), face + 1) - firsts_.begin()) - 1;
   }
 
-  const scene::PolyScene& scene_;
-  std::vector<std::uint32_t> firsts_;
-  scene::EdgeTable edges_;
-};
-
-// Describes edges in terms of the file: by their ends in the unit of the file and by their faces. The ends of crossings
-// are not on the grid.
-class EdgesInFile {
- public:
-  explicit EdgesInFile(const scene::PolyScene& scene) : scene_(scene), edges_(scene) {}
-
-  void add(std::span<const picture::LineEdge> edges, Stroke& stroke) const {
-    std::set<std::uint32_t> faces;
-    for (const picture::LineEdge& edge : edges) {
-      stroke.edges.push_back({place_in_file(edge.from), place_in_file(edge.to)});
-      if (const scene::PolyCrossing* const crossing = scene::crossing_at(scene_, edge.from)) {
-        faces.insert({crossing->face_a + 1, crossing->face_b + 1});
-      } else {
-        for (const scene::EdgeTable::Use& use : edges_.uses(edges_.find(edge.from, edge.to))) faces.insert(use.face + 1);
-      }
-    }
-    stroke.faces.assign(faces.begin(), faces.end());
-  }
-
- private:
-  [[nodiscard]] std::array<double, 3> place_in_file(scene::VertexIndex vertex) const {
-    if (scene::crossing_at(scene_, vertex) == nullptr) return scene::file_point(scene_, scene_.vertices[vertex]);
-    std::array<double, 3> place = scene::place_of(scene_, vertex);
-    for (std::size_t a = 0; a < 3; ++a) place[a] = (place[a] + static_cast<double>(scene_.origin[a])) * scene_.step;
+  // It is not on the grid.
+  static std::array<double, 3> end_of_crossing(scene::VertexIndex vertex, const scene::PolyScene& scene) {
+    std::array<double, 3> place = scene::place_of(scene, vertex);
+    for (std::size_t a = 0; a < 3; ++a) place[a] = (place[a] + static_cast<double>(scene.origin[a])) * scene.step;
     return place;
   }
 
-  const scene::PolyScene& scene_;
+  std::vector<std::uint32_t> firsts_;  // number of each body's first face
   scene::EdgeTable edges_;
 };
 
@@ -168,15 +169,17 @@ class Views::Work {
   Work(const Scene& source, const ViewOptions& options, const registry::LineAlgorithm& algorithm)
       : source_(source), options_(options), algorithm_(algorithm) {}
 
-  base::Result<base::Done> prepare(std::span<const Camera> cameras) {
+  base::Result<base::Done> prepare(std::span<const Camera> cameras, const base::Watch& watch) {
     if (auto checked = check(options_.edges); !checked) return checked;
     if (options_.hatch)
       if (auto checked = check(*options_.hatch); !checked) return checked;
     if (options_.proof && algorithm_.name != "exact")
       return base::Error{.file = "proof", .found = fmt::format("found with {}", algorithm_.name), .expected = "exact", .kind = base::ErrorKind::usage};
+    if (!watch.go_on(0)) return base::cancelled();
     find_matter(cameras);
     std::optional<base::Result<registry::PreparedScene>> made;
     if (!matter_) made = choose_edges();
+    if (options_.strokes || options_.layers == Layers::body) origins_.emplace(scene());
     if (const auto reason = algorithm_.why_not(scene()))
       return base::Error{.file = source_.name,
                          .found = fmt::format("{} does not apply: {}", algorithm_.name, *reason),
@@ -185,28 +188,30 @@ class Views::Work {
       prepared_ = algorithm_.prepare_cells(source_.decomposition->complex);
       return base::Done{};
     }
+    if (!watch.go_on(0.6)) return base::cancelled();
     if (!made) made = prepared(scene());
+    if (!watch.go_on(1)) return base::cancelled();
     if (!*made) return in_file(std::move(made->error()), source_.name);
     prepared_ = std::move(**made);
     return base::Done{};
   }
 
-  [[nodiscard]] base::Result<Drawing> at(const Camera& camera) const {
+  [[nodiscard]] base::Result<Drawing> at(const Camera& camera, const base::Watch& watch) const {
     if (const auto reason = algorithm_.why_not_seen(source_.scene, camera))
       return base::Error{source_.name, "camera", fmt::format("{} does not apply to this view: {}", algorithm_.name, *reason)};
     std::optional<ChosenEdges> chosen;
     if (matter_) chosen = matter_->lines_at(camera.eye);
     else if (chooser_) chosen = chooser_->at(camera);
-    Drawing result;
+    if (!watch.go_on(0.05)) return base::cancelled();
+    // A proof tells what hides each hidden part.
+    const bool with_proof = options_.proof || (options_.hidden && options_.strokes && prepared_.view_watched);
     Proof proof;
-    auto seen = options_.proof ? prepared_.prove(camera, chosen ? &*chosen : nullptr, proof.edges)
-                : chosen       ? registry::view_of(prepared_, camera, *chosen)
-                               : prepared_.view(camera);
+    auto seen = prepared_.view_watched ? prepared_.view_watched(camera, chosen ? &*chosen : nullptr, watch.part(0.05, 0.8), with_proof ? &proof.edges : nullptr)
+                : chosen               ? registry::view_of(prepared_, camera, *chosen)
+                                       : prepared_.view(camera);
+    if (watch.ended()) return base::cancelled();
     if (!seen) return in_file(std::move(seen.error()), source_.name);
-    if (options_.proof) {
-      proof.chosen = chosen;
-      result.proof = std::make_shared<const Proof>(std::move(proof));
-    }
+    Drawing result;
     result.visible = std::move(seen->picture);
     result.counts = std::move(seen->counts);
     if (chosen && (chosen_by_user_ || matter_)) {
@@ -222,6 +227,10 @@ class Views::Work {
       LinePicture whole = chosen ? picture::only(whole_edges(), *chosen) : whole_edges();
       if (seams_) whole = without_seams(whole, chosen, camera);
       hidden = divided(picture::hidden_pieces(whole, drawn), chosen, true);
+    }
+    if (with_proof) {
+      proof.chosen = chosen;
+      result.proof = std::make_shared<const Proof>(std::move(proof));
     }
     if (!options_.hatch && !options_.cut_material) {
       add_all(layers, hidden);
@@ -239,7 +248,6 @@ class Views::Work {
   }
 
  private:
-
   // Real lines are drawn if the algorithm can draw lines other than edges of faces, and the options do not choose edges.
   void find_matter(std::span<const Camera> cameras) {
     if (!source_.cells || !algorithm_.draws_crossings || options_.edges.are_given() || cameras.empty()) return;
@@ -311,7 +319,7 @@ class Views::Work {
     if (crossings.empty() || algorithm_.draws_crossings) return !crossings.empty();
     note(fmt::format("bodies pass through each other, the first at faces {} and {} of the file; `sightline draw exact` draws "
                      "the lines between them",
-                     crossings[0].face_a, crossings[0].face_b));
+                     scene::face_in_file(source_.scene, crossings[0].face_a) + 1, scene::face_in_file(source_.scene, crossings[0].face_b) + 1));
     return false;
   }
 
@@ -360,11 +368,9 @@ class Views::Work {
         layers.push_back(std::move(layer));
       }
     }
-    std::optional<BodyOfEdge> body_of;
-    if (by_body) body_of.emplace(scene());
     std::size_t edge = 0;
     for (const LinePiece& piece : picture.pieces) {
-      std::size_t layer = by_body ? (*body_of)(piece.edge) * kinds : 0;
+      std::size_t layer = by_body ? origins_->body_of(piece.edge, scene()) * kinds : 0;
       if (chosen) {
         while (chosen->edges[edge] < piece.edge) ++edge;
         layer += static_cast<std::size_t>(chosen->kinds[edge]);
@@ -386,6 +392,7 @@ class Views::Work {
     const picture::ImageWindow window = given ? *given : picture::drawing_window(lines, camera, field);
     if (options_.hatch || options_.cut_material) picture::leave_out_hatching_on_lines(lines, layers, window);
     result.window = window;
+    if (options_.strokes) add_edges(layers, of, result);
     for (LineLayer& layer : layers) layer.picture = {};
     const std::vector<picture::LineStroke> strokes = picture::strokes_in(lines, layers, window, field);
     result.stroke_count = strokes.size();
@@ -393,13 +400,74 @@ class Views::Work {
       result.drawn_length += std::hypot(stroke.to[0] - stroke.from[0], stroke.to[1] - stroke.from[1]);
     result.drawn_length *= window.units(field);
     result.picture = picture::line_drawing(strokes, layers, window, field);
-    if (!options_.strokes) return;
-    const EdgesInFile edges(of);
+    if (options_.strokes) add_strokes(strokes, lines, layers, window, field, result);
+  }
+
+  // The exact parts of the lines, and their edges.
+  void add_edges(const std::vector<LineLayer>& layers, const scene::PolyScene& of, Drawing& result) const {
+    struct Found {
+      const LinePiece* piece;
+      const LineLayer* layer;
+    };
+    std::vector<Found> found;
+    for (const LineLayer& layer : layers)
+      for (const LinePiece& piece : layer.picture.pieces) found.push_back({&piece, &layer});
+    std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
+      return a.piece->edge == b.piece->edge ? a.piece->low < b.piece->low : a.piece->edge < b.piece->edge;
+    });
+    for (const auto& [piece, layer] : found) {
+      if (result.edges_drawn.empty() || result.edges_drawn.back().edge != piece->edge) {
+        result.edges_drawn.push_back(origins_->drawn_edge(piece->edge, of, result.edge_faces));
+        result.edges_drawn.back().kind = kind_named(layer->kind);
+      }
+      const DrawnPart part{static_cast<std::uint32_t>(result.edges_drawn.size() - 1), piece->low, piece->high, layer->hidden};
+      if (part.hidden && result.proof != nullptr) add_hidden(part, piece->edge, of, result);
+      else result.parts.push_back(part);
+    }
+  }
+
+  // Divides a hidden part of an edge where another face begins to hide it, from the left as seen.
+  static void add_hidden(DrawnPart part, const picture::LineEdge& edge, const scene::PolyScene& of, Drawing& result) {
+    const auto& proofs = result.proof->edges;
+    const auto proof = std::lower_bound(proofs.begin(), proofs.end(), edge,
+                                        [](const algorithms::exact::EdgeProof& a, const picture::LineEdge& b) { return a.edge < b; });
+    if (proof == proofs.end() || proof->edge != edge) return result.parts.push_back(part);
+    const geometry::Rational high = part.high;
+    for (const algorithms::exact::Witness& witness : proof->left) {
+      if (witness.high <= part.low || !(part.low < high)) continue;
+      if (high <= witness.low) break;
+      part.high = std::min(high, witness.high);
+      part.hidden_by = witness.face == algorithms::exact::Witness::behind_eye ? no_number : scene::face_in_file(of, witness.face);
+      result.parts.push_back(part);
+      part.low = part.high;
+    }
+    if (!(part.low < high)) return;
+    part.high = high;
+    part.hidden_by = no_number;
+    result.parts.push_back(part);
+  }
+
+  // The name itself, which lives as long as the program.
+  static std::string_view kind_named(std::string_view kind) {
+    for (const std::string_view each : picture::edge_kind_names)
+      if (each == kind) return each;
+    for (const std::string_view each : picture::hatching_kinds)
+      if (each == kind) return each;
+    return {};
+  }
+
+  static void add_strokes(const std::vector<picture::LineStroke>& strokes, const picture::UnitedLines& lines,
+                          const std::vector<LineLayer>& layers, const picture::ImageWindow& window, const picture::DrawingField& field,
+                          Drawing& result) {
+    for (const LineLayer& layer : layers) result.layers.push_back({layer.kind, layer.label, layer.hidden});
     for (const picture::LineStroke& stroke : strokes) {
-      const LineLayer& layer = layers[stroke.layer];
-      Stroke& added = result.strokes.emplace_back();
-      added = {window.in_field(stroke.from, field), window.in_field(stroke.to, field), layer.kind, layer.label, layer.hidden};
-      edges.add({lines.sources.data() + stroke.first_source, stroke.source_count}, added);
+      result.strokes.push_back({window.in_field(stroke.from, field), window.in_field(stroke.to, field), stroke.layer,
+                                static_cast<std::uint32_t>(result.stroke_edges.size()), stroke.source_count});
+      for (std::uint32_t s = 0; s < stroke.source_count; ++s) {
+        const auto at = std::lower_bound(result.edges_drawn.begin(), result.edges_drawn.end(), lines.sources[stroke.first_source + s],
+                                         [](const DrawnEdge& drawn, const picture::LineEdge& edge) { return drawn.edge < edge; });
+        result.stroke_edges.push_back(static_cast<std::uint32_t>(at - result.edges_drawn.begin()));
+      }
     }
   }
 
@@ -442,6 +510,7 @@ class Views::Work {
   bool chosen_by_user_ = false;                // or by the scene; otherwise kinds are used only for the list of strokes
   bool seams_ = false;                         // leave out seams: of a scene that is not a mesh and for which no edges are chosen
   std::optional<picture::EdgeChooser> chooser_;
+  std::optional<Origins> origins_;  // for strokes and layers of bodies
   registry::PreparedScene prepared_;
   std::vector<std::string> notes_;
 };
@@ -451,15 +520,15 @@ Views::Views(Views&&) noexcept = default;
 Views& Views::operator=(Views&&) noexcept = default;
 Views::~Views() = default;
 
-base::Result<Views> Views::of(const Scene& scene, const ViewOptions& options, std::span<const Camera> cameras) {
+base::Result<Views> Views::of(const Scene& scene, const ViewOptions& options, std::span<const Camera> cameras, const base::Watch& watch) {
   const auto algorithm = algorithm_named(options.algorithm);
   if (!algorithm) return algorithm.error();
   auto work = std::make_unique<Work>(scene, options, **algorithm);
-  if (auto prepared = work->prepare(cameras); !prepared) return std::move(prepared.error());
+  if (auto prepared = work->prepare(cameras, watch); !prepared) return std::move(prepared.error());
   return Views(std::move(work));
 }
 
-base::Result<Drawing> Views::at(const Camera& camera) const { return work_->at(camera); }
+base::Result<Drawing> Views::at(const Camera& camera, const base::Watch& watch) const { return work_->at(camera, watch); }
 
 std::string Views::certificate(const Camera& camera, const Drawing& drawing) const {
   return certificate_of(work_->scene(), camera, *drawing.proof);
@@ -486,7 +555,7 @@ base::Result<registry::LineView> visible_edges(const scene::PolyScene& scene, co
   return prepared->view(camera);
 }
 
-std::string json_lines(std::span<const Stroke> strokes, double margin) {
+std::string json_lines(const Drawing& drawing, double margin) {
   const auto moved = [margin](const std::array<double, 2>& end) {
     base::Json point = base::Json::array();
     constexpr double parts = 1e6;  // finer than the resolution of any drawing file
@@ -494,13 +563,19 @@ std::string json_lines(std::span<const Stroke> strokes, double margin) {
     return point;
   };
   std::string text;
-  for (const Stroke& stroke : strokes) {
-    base::Json line{{"from", moved(stroke.from)}, {"to", moved(stroke.to)}, {"kind", stroke.kind}, {"layer", stroke.layer},
-                    {"hidden", stroke.hidden}};
+  for (const Stroke& stroke : drawing.strokes) {
+    const DrawnLayer& layer = drawing.layers[stroke.layer];
+    base::Json line{{"from", moved(stroke.from)}, {"to", moved(stroke.to)}, {"kind", layer.kind}, {"layer", layer.name},
+                    {"hidden", layer.hidden}};
     base::Json ends = base::Json::array();
-    for (const auto& [from, to] : stroke.edges) ends.push_back(base::Json::array({from, to}));
+    std::set<std::uint32_t> faces;  // from 1
+    for (std::uint32_t e = 0; e < stroke.edge_count; ++e) {
+      const DrawnEdge& edge = drawing.edges_drawn[drawing.stroke_edges[stroke.first_edge + e]];
+      ends.push_back(base::Json::array({edge.ends[0], edge.ends[1]}));
+      for (std::uint32_t f = 0; f < edge.face_count; ++f) faces.insert(drawing.edge_faces[edge.first_face + f] + 1);
+    }
     line["edges"] = ends;
-    line["faces"] = stroke.faces;
+    line["faces"] = faces;
     text += line.dump() + "\n";
   }
   return text;

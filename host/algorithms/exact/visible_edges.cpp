@@ -297,15 +297,21 @@ picture::LinePicture by_edge(std::span<const SeenPart> parts, std::span<const st
 // edge before it, and are still in the cache.
 constexpr std::size_t fewest_edges_ordered = 50'000;
 constexpr std::size_t fewest_faces_per_job = 8;  // limits the number of threads
+constexpr std::size_t edges_a_look = 1024;       // between two looks at the watch
+
+double part_of(std::size_t done, std::size_t all) { return static_cast<double>(done) / static_cast<double>(all); }
 
 template <class Listener>
 picture::LinePicture search_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera, Listener listener,
-                                  const picture::ChosenEdges* chosen = nullptr) {
+                                  const picture::ChosenEdges* chosen = nullptr, const base::Watch& watch = {}) {
   const View view = make_view(mesh, camera, chosen);
   const ImageGrid grid(view.occluder_bounds, view.occluder_depths);
   Search<Listener> search(view, grid, chosen, listener);
   picture::LinePicture picture;
-  for (std::uint32_t edge = 0; edge < mesh.edges.size(); ++edge) search.append_visible(edge, picture.pieces);
+  for (std::uint32_t edge = 0; edge < mesh.edges.size(); ++edge) {
+    if (edge % edges_a_look == 0 && !watch.go_on(part_of(edge, mesh.edges.size()))) return {};
+    search.append_visible(edge, picture.pieces);
+  }
   return picture;
 }
 
@@ -319,7 +325,7 @@ void fetch(const View& view, std::uint32_t edge) {
 }
 
 picture::LinePicture search_ordered(const EdgeMesh& mesh, const scene::PolyCamera& camera,
-                                    const picture::ChosenEdges* chosen, unsigned jobs) {
+                                    const picture::ChosenEdges* chosen, unsigned jobs, const base::Watch& watch) {
   jobs = static_cast<unsigned>(std::min<std::size_t>(jobs, 1 + mesh.faces.size() / fewest_faces_per_job));
   std::vector<std::uint32_t> order;
   std::vector<SeenPart> parts(jobs);
@@ -333,6 +339,7 @@ picture::LinePicture search_ordered(const EdgeMesh& mesh, const scene::PolyCamer
       NoListener no_occluder;
       Search<NoListener> search(view, grid, chosen, no_occluder);
       for (std::size_t i = begin; i < end; ++i) {
+        if ((i - begin) % edges_a_look == 0 && (number == 0 ? !watch.go_on(part_of(i, end)) : watch.ended())) return;
         if (i + ahead < end) fetch(view, order[i + ahead]);
         if (i + 2 * ahead < end) __builtin_prefetch(&mesh.edges[order[i + 2 * ahead]]);
         std::vector<picture::LinePiece>& pieces = part.block();
@@ -342,19 +349,20 @@ picture::LinePicture search_ordered(const EdgeMesh& mesh, const scene::PolyCamer
       }
     });
   }
+  if (watch.ended()) return {};
   return by_edge(parts, order, mesh.edges.size());
 }
 
 }  // namespace
 
 picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera,
-                                   const picture::ChosenEdges* chosen, unsigned jobs) {
-  if (jobs == 1 && mesh.edges.size() < fewest_edges_ordered) return search_edges(mesh, camera, NoListener(), chosen);
-  return search_ordered(mesh, camera, chosen, jobs);
+                                   const picture::ChosenEdges* chosen, unsigned jobs, const base::Watch& watch) {
+  if (jobs == 1 && mesh.edges.size() < fewest_edges_ordered) return search_edges(mesh, camera, NoListener(), chosen, watch);
+  return search_ordered(mesh, camera, chosen, jobs, watch);
 }
 
 picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera, const picture::ChosenEdges* chosen,
-                                   std::vector<EdgeProof>& proofs) {
+                                   std::vector<EdgeProof>& proofs, const base::Watch& watch) {
   const View view = make_view(mesh, camera, chosen);
   const ImageGrid grid(view.occluder_bounds, view.occluder_depths);
   ProofListener listener;
@@ -366,7 +374,9 @@ picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera
   const std::vector<std::uint32_t> order = in_image_order(view, grid);
   std::vector<SeenPart> parts(1);
   parts[0].counts.reserve(order.size());
-  for (const std::uint32_t edge : order) {
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i % edges_a_look == 0 && !watch.go_on(part_of(i, order.size()))) return {};
+    const std::uint32_t edge = order[i];
     std::vector<picture::LinePiece>& pieces = parts[0].block();
     const std::size_t before = pieces.size();
     listener.begin(mesh.edges[edge]);

@@ -17,6 +17,7 @@
 #include <span>
 
 #include "host/algorithms/exact/edge_mesh.hpp"
+#include "host/base/watch.hpp"
 #include "host/picture/edge_choice.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/model/poly_scene.hpp"
@@ -27,9 +28,10 @@ namespace sightline::algorithms::exact {
 // hidden by faces of the surfaces that it belongs to, because rounding may have moved them before it. Faces of solids
 // that are turned to the eye, and faces of sheets, hide.
 
-// Precondition: the eye is in no solid and on no face. Uses up to `jobs` threads.
+// Precondition: the eye is in no solid and on no face. Uses up to `jobs` threads. If the watch ends the work, the picture is empty.
 [[nodiscard]] picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera,
-                                                 const picture::ChosenEdges* chosen = nullptr, unsigned jobs = 1);
+                                                 const picture::ChosenEdges* chosen = nullptr, unsigned jobs = 1,
+                                                 const base::Watch& watch = {});
 [[nodiscard]] picture::LinePicture visible_edges(const scene::PolyScene& scene,
                                                  const scene::PolyCamera& camera);
 

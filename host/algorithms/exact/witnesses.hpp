@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "host/base/watch.hpp"
 #include "host/geometry/rational.hpp"
 #include "host/picture/edge_choice.hpp"
 #include "host/picture/line_picture.hpp"
@@ -43,6 +44,7 @@ struct EdgeProof {
 // Like visible_edges on one thread. `proofs` receives a proof for each edge of the mesh, or for each chosen one, in
 // ascending order.
 [[nodiscard]] picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera,
-                                                 const picture::ChosenEdges* chosen, std::vector<EdgeProof>& proofs);
+                                                 const picture::ChosenEdges* chosen, std::vector<EdgeProof>& proofs,
+                                                 const base::Watch& watch = {});
 
 }  // namespace sightline::algorithms::exact

@@ -34,9 +34,10 @@ base::Result<PreparedScene> prepare_exact_threads(const scene::PolyScene& scene,
                                       const picture::ChosenEdges& chosen) -> base::Result<LineView> {
     return LineView{algorithms::exact::visible_edges(*mesh, camera, &chosen, jobs), {}};
   };
-  prepared.prove = [mesh](const scene::PolyCamera& camera, const picture::ChosenEdges* chosen,
-                          std::vector<algorithms::exact::EdgeProof>& proofs) -> base::Result<LineView> {
-    return LineView{algorithms::exact::visible_edges(*mesh, camera, chosen, proofs), {}};
+  prepared.view_watched = [mesh, jobs](const scene::PolyCamera& camera, const picture::ChosenEdges* chosen, const base::Watch& watch,
+                                       std::vector<algorithms::exact::EdgeProof>* proofs) -> base::Result<LineView> {
+    if (proofs != nullptr) return LineView{algorithms::exact::visible_edges(*mesh, camera, chosen, *proofs, watch), {}};
+    return LineView{algorithms::exact::visible_edges(*mesh, camera, chosen, jobs, watch), {}};
   };
   return prepared;
 }

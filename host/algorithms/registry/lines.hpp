@@ -16,6 +16,7 @@
 #include "host/algorithms/exact/witnesses.hpp"
 #include "host/algorithms/registry/mesh_time.hpp"
 #include "host/base/result.hpp"
+#include "host/base/watch.hpp"
 #include "host/picture/edge_choice.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/model/cell_complex.hpp"
@@ -43,10 +44,11 @@ struct PreparedScene {
   std::function<base::Result<LineView>(const scene::PolyCamera&)> view;
   // The same for an ascending choice of edges only; null if the algorithm cannot restrict itself: see view_of.
   std::function<base::Result<LineView>(const scene::PolyCamera&, const picture::ChosenEdges&)> view_chosen = {};
-  // The same for chosen edges, or all if there is no choice, with a proof for each edge; null if the algorithm has none.
-  std::function<base::Result<LineView>(const scene::PolyCamera&, const picture::ChosenEdges*,
-                                       std::vector<algorithms::exact::EdgeProof>&)>
-      prove = {};
+  // The same for chosen edges, or all if there is no choice; followed by the watch; with a proof for each edge, if `proofs` is
+  // given. Null if the algorithm has none.
+  std::function<base::Result<LineView>(const scene::PolyCamera&, const picture::ChosenEdges*, const base::Watch&,
+                                       std::vector<algorithms::exact::EdgeProof>* proofs)>
+      view_watched = {};
   std::vector<AlgorithmCount> counts;  // about the preparation of the scene
 };
 

@@ -423,7 +423,7 @@ ExitCode draw_sheet(const registry::LineAlgorithm& algorithm, const DrawLinesArg
   const auto plot = write_drawing(sheet, arguments.output, format, source.name, *file);
   if (strokes) {
     std::string lines;
-    for (const hidden_lines::Drawing& drawing : drawings) lines += hidden_lines::json_lines(drawing.strokes, arguments.output.paper.margin);
+    for (const hidden_lines::Drawing& drawing : drawings) lines += hidden_lines::json_lines(drawing, arguments.output.paper.margin);
     strokes->write(std::string_view(lines));
     strokes->commit();
   }
@@ -529,7 +529,7 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
     if (options.field.scale) require_room(drawn.picture, output);
     const auto plot = write_drawing(drawn.picture, output, format, source.name, *file);
     if (strokes) {
-      strokes->write(std::string_view(hidden_lines::json_lines(drawn.strokes, output.paper.margin)));
+      strokes->write(std::string_view(hidden_lines::json_lines(drawn, output.paper.margin)));
       strokes->commit();
     }
     if (certificate) {
@@ -580,7 +580,7 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
             .option("--views", arguments->views,
                     "Draw several views, as --view names them, on one sheet at one scale in third-angle projection: front,top,right,iso")
             .separated_by(',')
-            .one_of(preset_names())
+            .one_of(hidden_lines::view_names())
             .value("NAME,...")
             .group("View")
             .excludes(turntable);

@@ -24,9 +24,12 @@ PolyScene without_wires(PolyScene scene) {
   VertexIndex count = 0;
   for (std::size_t v = 0; v < number.size(); ++v) {
     number[v] = count;
-    if (used[v]) scene.vertices[count++] = scene.vertices[v];
+    if (!used[v]) continue;
+    if (!scene.vertex_in_file.empty()) scene.vertex_in_file[count] = scene.vertex_in_file[v];
+    scene.vertices[count++] = scene.vertices[v];
   }
   scene.vertices.resize(count);
+  if (!scene.vertex_in_file.empty()) scene.vertex_in_file.resize(count);
   for_corners([&number](VertexIndex& v) { v = number[v]; });
   return scene;
 }

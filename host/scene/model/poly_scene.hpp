@@ -115,6 +115,10 @@ struct PolyScene {
   // For a mesh: pairs of a wire and a surface in whose plane it lies. Faces of that surface do not hide the
   // wire, although both were rounded. Ascending.
   std::vector<std::array<std::uint32_t, 2>> wires_on = {};
+  // For a mesh that was repaired: of each face, and of each vertex before those of crossings, the number in the file, from 0.
+  // A face of the file may have become several. Of vertices that became one, one is named. Empty: the same numbers.
+  std::vector<std::uint32_t> face_in_file = {};
+  std::vector<std::uint32_t> vertex_in_file = {};
 
   friend bool operator==(const PolyScene&, const PolyScene&) = default;
 };
@@ -135,6 +139,11 @@ struct PolyScene {
   std::size_t faces = 0;
   for (const PolyBody& body : scene.bodies) faces += body.faces.size();
   return faces;
+}
+
+// The number of a face, counted from 0, in the file that the scene came from, also from 0.
+[[nodiscard]] inline std::uint32_t face_in_file(const PolyScene& scene, std::uint32_t face) {
+  return face < scene.face_in_file.size() ? scene.face_in_file[face] : face;
 }
 
 // The number of each body's first face; its other faces follow in order.

@@ -39,16 +39,21 @@ class Import {
     report().unit = mesh_.unit.empty() ? options_.unit : std::move(mesh_.unit);
     report().notes = std::move(mesh_.notes);
     if (mesh_.flaw) leave_out_flawed();
+    if (!options_.watch.go_on(0.3)) return base::cancelled();
     quantise();
+    if (!options_.watch.go_on(0.4)) return base::cancelled();
     scene().name = std::move(mesh_.name);
     scene().bodies = std::move(mesh_.bodies);
     scene().wires = std::move(mesh_.wires);
     if (options_.mend) {
+      divide_faces_with_holes();
+      if (error_) return *error_;
       mend_faces();
     } else {
       keep_faces();
     }
     if (error_) return *error_;
+    if (!options_.watch.go_on(0.9)) return base::cancelled();
     scene().camera = default_poly_camera(scene());
     if (report().vertical && *report().vertical != 1)
       scene().camera = three_quarter_camera({.vertical = *report().vertical}, scene());
@@ -70,6 +75,7 @@ class Import {
       if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) continue;
       number[v] = static_cast<VertexIndex>(points);
       mesh_.vertices[points++] = mesh_.vertices[v];
+      vertex_in_file_.push_back(static_cast<std::uint32_t>(v));
     }
     const std::size_t no_points = number.size() - points;
     mesh_.vertices.resize(points);
@@ -86,7 +92,7 @@ class Import {
           ++nowhere;
         } else {
           kept.push_back(std::move(face));
-          number_in_file_.push_back(face_number);
+          face_in_file_.push_back(face_number);
         }
         ++face_number;
       }
@@ -94,8 +100,8 @@ class Import {
     }
     std::erase_if(mesh_.bodies, [](const PolyBody& body) { return body.faces.empty(); });
     if (!mesh_.materials.empty()) {
-      for (std::size_t f = 0; f < number_in_file_.size(); ++f) mesh_.materials[f] = mesh_.materials[number_in_file_[f]];
-      mesh_.materials.resize(number_in_file_.size());
+      for (std::size_t f = 0; f < face_in_file_.size(); ++f) mesh_.materials[f] = mesh_.materials[face_in_file_[f]];
+      mesh_.materials.resize(face_in_file_.size());
     }
     std::size_t wires = 0;
     for (const PolyWire& wire : mesh_.wires) {
@@ -135,6 +141,45 @@ class Import {
 
   // --- mending
 
+  // Into triangles: faces that are mended have no holes.
+  void divide_faces_with_holes() {
+    const auto has_holes = [](const PolyFace& face) { return !face.holes.empty(); };
+    const auto is_whole = [&](const PolyBody& body) { return std::none_of(body.faces.begin(), body.faces.end(), has_holes); };
+    if (std::all_of(scene().bodies.begin(), scene().bodies.end(), is_whole)) return;
+    std::vector<std::uint32_t> sources;  // of each face now
+    std::uint32_t number = 0;
+    for (std::size_t b = 0; b < scene().bodies.size(); ++b) {
+      std::vector<PolyFace> divided;
+      for (std::size_t f = 0; f < scene().bodies[b].faces.size(); ++f, ++number) {
+        PolyFace& face = scene().bodies[b].faces[f];
+        if (!has_holes(face)) {
+          divided.push_back(std::move(face));
+          sources.push_back(number);
+          continue;
+        }
+        const auto triangles = triangulate(scene().vertices, face);
+        if (!triangles) {
+          error_ = base::Error{mesh_.source, "body " + std::to_string(b) + ", face " + std::to_string(f), "cannot be divided into triangles",
+                               "holes inside the outline that cross neither it nor each other, and at most " +
+                                   std::to_string(most_split_vertices_with_holes) + " vertices"};
+          return;
+        }
+        for (const auto& t : *triangles) {
+          divided.push_back({{t[0], t[1], t[2]}, {}});
+          sources.push_back(number);
+        }
+      }
+      scene().bodies[b].faces = std::move(divided);
+    }
+    if (!mesh_.materials.empty()) {
+      std::vector<std::uint32_t> materials;
+      for (const std::uint32_t source : sources) materials.push_back(mesh_.materials[source]);
+      mesh_.materials = std::move(materials);
+    }
+    for (std::uint32_t& source : sources) source = face_in_file(source);
+    face_in_file_ = std::move(sources);
+  }
+
   void mend_faces() {
     FileFaces file{mesh_.vertices, {}};
     file.starts.reserve(face_count(scene()) + 1);
@@ -144,7 +189,8 @@ class Import {
     for (const PolyBody& body : scene().bodies) body_sizes.push_back(body.faces.size());
     const MendResult mended = mend(scene(), file, mend_options(options_.weld), faces());
     faces().largest_deviation *= report().step;
-    if (!number_in_file_.empty()) faces().first_crossing = number_in_file_[faces().first_crossing];
+    faces().first_crossing = face_in_file(faces().first_crossing);
+    name_origins(mended);
     report().mended = true;
     if (mended.faces.empty() && !scene().wires.empty()) return;
     if (mended.faces.empty()) {
@@ -157,6 +203,7 @@ class Import {
                            "a mesh", "--strict names what is wrong with each"};
       return;
     }
+    if (!options_.watch.go_on(0.7)) return;
     suggest_weld(file, body_sizes);
     // Numbers so short that this would be much of the mesh are meant as they are: a bevel of 0.2 is none of their errors.
     const double much = 2 * static_cast<double>(bounds_of(scene()).half_size()) * report().step / 1000;
@@ -167,6 +214,18 @@ class Import {
     scene().materials_are_colours = mesh_.materials_are_colours;
     scene().material_of.reserve(mended.faces.size());
     for (const MendedFace& face : mended.faces) scene().material_of.push_back(mesh_.materials[face.source]);
+  }
+
+  void name_origins(const MendResult& mended) {
+    scene().face_in_file.reserve(mended.faces.size());
+    for (const MendedFace& face : mended.faces) scene().face_in_file.push_back(face_in_file(face.source));
+    scene().vertex_in_file = mended.vertices;
+    if (vertex_in_file_.empty()) return;
+    for (std::uint32_t& vertex : scene().vertex_in_file) vertex = vertex_in_file_[vertex];
+  }
+
+  [[nodiscard]] std::uint32_t face_in_file(std::size_t face) const {
+    return face_in_file_.empty() ? static_cast<std::uint32_t>(face) : face_in_file_[face];
   }
 
   // A wire and a corner of a surface are up to 0.87 steps from where the file has them. If that is much of the scene, the
@@ -466,7 +525,8 @@ class Import {
   PolyMesh mesh_;  // its vertices less the origin, once they are on the grid
   double reach_ = 0;  // the largest coordinate of the file
   double size_ = 0;   // the largest side of its bounds
-  std::vector<std::uint32_t> number_in_file_;  // of each face, if some were left out
+  std::vector<std::uint32_t> face_in_file_;    // of each face, if some were left out or divided; otherwise empty
+  std::vector<std::uint32_t> vertex_in_file_;  // of each vertex, if some were left out
   PolyImportOptions options_;
   PolyImport result_;
   std::optional<base::Error> error_;

@@ -28,6 +28,7 @@
 #include <vector>
 
 #include "host/base/result.hpp"
+#include "host/base/watch.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 #include "host/scene/read/poly_mend.hpp"
@@ -66,6 +67,7 @@ struct PolyImportOptions {
   std::optional<std::array<double, 3>> eye = {};  // has to have a place among the scene's coordinates; finite
   std::string folder = {};  // in which the file is, for what it refers to; empty: in none
   std::string unit = {};    // of the coordinates, where the format does not say it
+  base::Watch watch = {};   // follows the reading, and may end it: Error cancelled
 };
 
 struct PolyImportReport {

@@ -908,7 +908,9 @@ class Mending {
     VertexIndex count = 0;
     for (VertexIndex v = 0; v < number.size(); ++v) {
       number[v] = count;
-      if (used[v]) scene_.vertices[count++] = scene_.vertices[v];
+      if (!used[v]) continue;
+      scene_.vertices[count++] = scene_.vertices[v];
+      result_.vertices.push_back(v);
     }
     report_.dropped_vertices = points().size() - count - report_.merged_vertices - report_.joined_vertices;
     if (count == points().size()) return;

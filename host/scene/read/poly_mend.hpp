@@ -86,7 +86,8 @@ struct MendedFace {
 };
 
 struct MendResult {
-  std::vector<MendedFace> faces;  // of the scene, counted over all bodies
+  std::vector<MendedFace> faces;      // of the scene, counted over all bodies
+  std::vector<VertexIndex> vertices;  // of each vertex of the scene, the one of the file that it was
   // Faces of the file that have an edge of the scene in common that no third face has, both in one body; in the order of the edges. A
   // face that was divided may be beside itself.
   std::vector<std::array<std::uint32_t, 2>> neighbours;

@@ -41,17 +41,103 @@ TEST(HiddenLines, OfACubeInMemoryNineEdgesAreVisibleAndThreeHidden) {
   EXPECT_EQ(drawing->visible.pieces.size(), 9U);
   std::size_t hidden = 0;
   for (const Stroke& stroke : drawing->strokes) {
-    hidden += stroke.hidden ? 1 : 0;
-    ASSERT_EQ(stroke.edges.size(), 1U);
+    hidden += drawing->layers[stroke.layer].hidden ? 1 : 0;
+    ASSERT_EQ(stroke.edge_count, 1U);
+    const DrawnEdge& edge = drawing->edges_drawn[drawing->stroke_edges[stroke.first_edge]];
     double length = 0;
-    for (std::size_t a = 0; a < 3; ++a) length += std::abs(stroke.edges[0][0][a] - stroke.edges[0][1][a]);
+    for (std::size_t a = 0; a < 3; ++a) length += std::abs(edge.ends[0][a] - edge.ends[1][a]);
     EXPECT_EQ(length, 10) << "in the unit of the arrays";
-    EXPECT_EQ(stroke.faces.size(), 2U);
+    EXPECT_EQ(edge.face_count, 2U);
   }
   EXPECT_EQ(drawing->strokes.size(), 12U);
   EXPECT_EQ(hidden, 3U);
-  const std::string text = json_lines(drawing->strokes, 5);
+  const std::string text = json_lines(*drawing, 5);
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 12);
+}
+
+// Two tetrahedra whose faces and vertices alternate in the arrays; as bodies, each has its own.
+scene::PolyMesh alternating_tetrahedra() {
+  scene::PolyMesh mesh;
+  mesh.source = "tetrahedra";
+  const std::array<std::array<double, 3>, 4> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  for (const auto& [x, y, z] : corners)
+    for (const double along : {0.0, 5.0}) mesh.vertices.push_back({x + along, y, z});
+  scene::PolyBody body;
+  for (const auto& [a, b, c] : std::vector<std::array<scene::VertexIndex, 3>>{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}})
+    for (const scene::VertexIndex of : {0U, 1U}) body.faces.push_back({{2 * a + of, 2 * b + of, 2 * c + of}, {}});
+  mesh.bodies.push_back(body);
+  return mesh;
+}
+
+TEST(HiddenLines, FacesAndVerticesOfAnEdgeAreNumberedAsInTheArrays) {
+  const scene::PolyMesh mesh = alternating_tetrahedra();
+  const auto scene = load(mesh);
+  ASSERT_TRUE(scene) << scene.error().message();
+  ASSERT_EQ(scene->scene.bodies.size(), 2U);
+  ViewOptions options;
+  options.strokes = true;
+  options.hidden = true;
+  const auto drawing = view(*scene, oblique(), options);
+  ASSERT_TRUE(drawing) << drawing.error().message();
+  EXPECT_EQ(drawing->edges_drawn.size(), 12U);
+  for (const DrawnEdge& edge : drawing->edges_drawn) {
+    for (std::size_t e = 0; e < 2; ++e) {
+      ASSERT_LT(edge.vertices[e], mesh.vertices.size());
+      EXPECT_EQ(edge.ends[e], mesh.vertices[edge.vertices[e]]);
+    }
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t f = 0; f < mesh.bodies[0].faces.size(); ++f) {
+      const auto& ring = mesh.bodies[0].faces[f].outline;
+      const auto has = [&](std::uint32_t vertex) { return std::find(ring.begin(), ring.end(), vertex) != ring.end(); };
+      if (has(edge.vertices[0]) && has(edge.vertices[1])) expected.push_back(f);
+    }
+    const auto faces = std::span(drawing->edge_faces).subspan(edge.first_face, edge.face_count);
+    EXPECT_EQ(std::vector<std::uint32_t>(faces.begin(), faces.end()), expected);
+  }
+  // The parts of each edge are its whole length.
+  for (std::uint32_t e = 0; e < drawing->edges_drawn.size(); ++e) {
+    geometry::Rational at = 0;
+    for (const DrawnPart& part : drawing->parts) {
+      if (part.edge != e) continue;
+      EXPECT_EQ(part.low, at);
+      at = part.high;
+    }
+    EXPECT_EQ(at, geometry::Rational(1));
+  }
+}
+
+TEST(HiddenLines, AFaceWithAHoleHidesWhatIsNotBehindTheHole) {
+  // A square of 10 with a hole of 4 in its middle, and a line behind it from side to side.
+  scene::PolyMesh mesh;
+  mesh.source = "frame";
+  for (const double half : {5.0, 2.0})
+    for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) mesh.vertices.push_back({x * half, y * half, 0.0});
+  mesh.vertices.push_back({-5, 0.5, -1});
+  mesh.vertices.push_back({5, 0.5, -1});
+  scene::PolyBody body;
+  body.faces.push_back({{0, 1, 2, 3}, {{7, 6, 5, 4}}});
+  mesh.bodies.push_back(body);
+  mesh.wires.push_back({8, 9});
+  const auto scene = load(mesh);
+  ASSERT_TRUE(scene) << scene.error().message();
+  ViewOptions options;
+  options.strokes = true;
+  const auto drawing = view(*scene, Camera{false, {}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}}, options);
+  ASSERT_TRUE(drawing) << drawing.error().message();
+  EXPECT_EQ(drawing->edges_drawn.size(), 9U) << "eight sides and the line: no edges between triangles";
+  for (const DrawnPart& part : drawing->parts) {
+    const DrawnEdge& edge = drawing->edges_drawn[part.edge];
+    if (edge.kind != "wire") {
+      ASSERT_EQ(edge.face_count, 1U);
+      EXPECT_EQ(drawing->edge_faces[edge.first_face], 0U) << "all triangles are face 0";
+      continue;
+    }
+    EXPECT_EQ(part.low, geometry::Rational(3, 10));
+    EXPECT_EQ(part.high, geometry::Rational(7, 10));
+  }
+  mesh.vertices.push_back({20, 0, 0});
+  mesh.bodies[0].faces[0].holes[0] = {7, 6, 10, 4};
+  EXPECT_FALSE(load(mesh)) << "the hole crosses the outline";
 }
 
 // A box of 10 x 6 x 4, whose sides differ.
@@ -144,7 +230,7 @@ TEST(HiddenLines, ACutIsHatchedAtADistanceOnThePaper) {
   // 10 x 6 units at 10 mm a unit: lines at 45 degrees that are 2 mm apart meet the diagonal across them every 2 mm.
   std::size_t lines = 0;
   for (const Stroke& stroke : drawing->strokes) {
-    if (stroke.layer != "section") continue;
+    if (drawing->layers[stroke.layer].name != "section") continue;
     ++lines;
     EXPECT_NEAR(stroke.to[0] - stroke.from[0], stroke.to[1] - stroke.from[1], 1e-6);
   }
