@@ -19,7 +19,7 @@ struct Entry {
   void (*add)(const Command& program);
 };
 
-constexpr std::array<Entry, 21> commands{{
+constexpr auto commands = std::to_array<Entry>({
     {"demo", add_demo_command},
     {"report", add_report_command},
     {"jones", add_jones_command},
@@ -41,7 +41,7 @@ constexpr std::array<Entry, 21> commands{{
     {"dap", add_dap_command},
     {"page", add_page_command},
     {"scene", add_scene_command},
-}};
+});
 
 // To set up the options of all commands takes longer than most commands take to run. If the first word names a command, only that
 // command is added; for any other first word, `help` included, all are.

@@ -117,9 +117,10 @@ Result<Loaded> load(const MachineDescription& description, const Arguments& argu
     if (!file) return file.error();
     const Input input = read(file->path);
     if (named_as_source(file->path)) {
-      return base::bad_input(fmt::format("{}: found a source file, expected an assembled program; assemble it with: "
-                                   "sightline asm {} {} -o PROGRAM",
-                                   input.name, description.name, file->path));
+      std::string message = input.name + ": found a source file, expected an assembled program";
+      if (description.assembler.assemble != nullptr)
+        message += fmt::format("; assemble it with: sightline asm {} {} -o PROGRAM", description.name, file->path);
+      return base::bad_input(message);
     }
     if (input.bytes.size() >= snapshot_signature.size() &&
         std::equal(snapshot_signature.begin(), snapshot_signature.end(), input.bytes.begin())) {

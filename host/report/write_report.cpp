@@ -100,7 +100,7 @@ class Checker {
 
   void id(const std::string& text) {
     if (!is_name(text, "-")) wrong(fmt::format("id \"{}\": expected a-z, 0-9 and -", text));
-    if (!ids_.insert(text).second) wrong(fmt::format("id {}: found twice in the report", text));
+    if (!ids_.insert(text).second) wrong(fmt::format("id {}: found twice in the report, expected a different id of every section, chapter, table, plot and picture", text));
   }
 
   void wrong(const std::string& message) {

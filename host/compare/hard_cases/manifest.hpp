@@ -1,9 +1,9 @@
 // The manifest of the hard cases, manifest.json: inputs that break programs of this kind, the methods to run on each,
 // the expected results, and the section of the paper. The input files are in data/.
 //
-// Numbers: J1 to J17, cells and openings (Jones 1971); S1 to S16, slices on a raster (Skala 1985); W1 to W16,
-// distance as priority (Willis 1977); M1 to M18, stripes and priority lists (Montani and Re 1985); P1 to P22, events
-// of a turn (Plantinga, Seales and Dyer 1990). A case may have several inputs, and several cases may share one.
+// Numbers begin with J for cells and openings (Jones 1971), S for slices on a raster (Skala 1985), W for distance as
+// priority (Willis 1977), M for stripes and priority lists (Montani and Re 1985), P for events of a turn (Plantinga,
+// Seales and Dyer 1990). A case may have several inputs, and several cases may share one.
 //
 // Left out: checks of an algorithm's internals. A case names the tests that make them, on the same input.
 #pragma once

@@ -117,13 +117,14 @@ void case_table(Page& page, const HardCases& hard, CaseTable of) {
                                        {"commands", "Commands", &Case::commands}};
   // Cases of turns have no options.
   if (of.paper == "plantinga") std::erase_if(columns, [](const auto& column) { return column.column.key == "options"; });
-  Table table{"hard-cases-" + of.paper, of.title, {}, {}, std::move(of.notes)};
+  const auto cases = where(hard.cases, equals(&Case::paper, of.paper));
+  const std::string title = fmt::format("{}, {} to {}", of.title, cases.front().get().id, cases.back().get().id);
+  Table table{"hard-cases-" + of.paper, title, {}, {}, std::move(of.notes)};
   table.notes.emplace_back(
       "Tests check what is inside the algorithm, on the same file: their names are those of the repository's tests.");
   table.cards_name = of.cards_name;
   for (const auto& column : columns) table.columns.push_back(column.column);
   std::vector<std::string> methods;
-  const auto cases = where(hard.cases, equals(&Case::paper, of.paper));
   for (const Case& row : cases)
     for (const CaseFinding& finding : row.findings)
       if (std::find(methods.begin(), methods.end(), finding.method) == methods.end()) methods.push_back(finding.method);
@@ -230,26 +231,26 @@ void hard_cases_chapter(Page& page, const HardCases& hard) {
       "are dashed. Errors of a program for a small machine are due to its arithmetic and memory; an exact method must be right "
       "everywhere. Guest is the program on its emulated machine, twin is the same program in C++.");
   case_table(page, hard, {"jones", "Jones",
-                         "Jones: cells and portals, J1 to J17",
+                         "Jones: cells and portals",
                          {"Program (guest) and twin are compared with the oracle of cells on the screen: lines farther than a "
                           "point from the oracle's are wrong. The native algorithm (jones) uses the cells of the file and must "
                           "draw the oracle's picture, piece for piece. If the eye is not in free space there is no such "
                           "picture; then the lines named must be completely visible or hidden."}});
   case_table(page, hard, {"skala", "Skala",
-                         "Skala: slices on a raster, S1 to S16",
+                         "Skala: slices on a raster",
                          {"The oracle decides each column by depth alone. Program (guest) and twin must have the same dots; "
                           "the native algorithm must be within a dot of them. In views without rotation, the first and the "
                           "last column are ignored: there the program's order hides one of the two side edges, and vectors "
                           "show both. S7: all lines from (x, y) to (x + u, y + v), u and v from -16 to 16, and back, 49 a "
                           "screen without visibility test, at x, y = 18 + 36 n, n = 0 to 6, x first."}});
   case_table(page, hard, {"willis", "Willis",
-                         "Willis: distance as priority, W1 to W16",
+                         "Willis: distance as priority",
                          {"Walls are seen from both sides, so a cluster of two walls counts twice. Pictures of 128 by 128 points, 90 "
                           "degrees wide, from the scene's own camera and from four sides, are compared with the nearest face of every "
                           "point; within 0.75 points of an edge rounding may choose either side. Drawn by `sightline draw willis FILE "
                           "--plan -o picture.png`, where plan is among the options."}});
   case_table(page, hard, {"montani-re", "Montani and Re",
-                         "Montani and Re: stripes and priority lists, M1 to M18",
+                         "Montani and Re: stripes and priority lists",
                          {"Scenes (.json) are sheets seen along z without perspective; bodies count from 0. The exact build "
                           "(montani-re) must show the areas and draw the lines of the oracle. Stripes of a pixel are compared "
                           "with the oracle's sight lines through the centres of pixels: once with one pixel per unit, where "
@@ -260,7 +261,7 @@ void hard_cases_chapter(Page& page, const HardCases& hard) {
                           "the name of its region, its starting point, its links (0 east, 1 north-east, ... 7 south-east); a "
                           "region is the set of points inside an odd number of its chains."}});
   case_table(page, hard, {"plantinga", "Plantinga, Seales and Dyer",
-                         "Plantinga, Seales and Dyer: events of a turn, P1 to P22",
+                         "Plantinga, Seales and Dyer: events of a turn",
                          {"Scenes are viewed along 24 horizontal directions: the first picture is made from scratch, the "
                           "others by stepping through the events of a full turn; all must equal the oracle's, piece for piece "
                           "(P18: those of exact, because the oracle is too slow). Files of edges and vertices (.txt) are "

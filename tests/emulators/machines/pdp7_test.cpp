@@ -414,6 +414,13 @@ TEST_F(Pdp7, AnUnknownDeviceIsAnErrorWithTheNearestName) {
   EXPECT_EQ(Machine(options).error(), "found device \"drum\", expected one of: " + names);
 }
 
+TEST_F(Pdp7, KnownDevicesDoNotDisturbEachOther) {
+  pdp7::Options options;
+  options.devices.clear();
+  Machine machine(options);
+  for (const core::IotDeviceInfo& info : pdp7::device_infos) EXPECT_EQ(machine.attach(info.name), "");
+}
+
 TEST_F(Pdp7, AnUnknownSettingIsAnError) {
   Machine machine;
   const std::array<core::Setting, 1> unknown{core::Setting{"flash", 1}};

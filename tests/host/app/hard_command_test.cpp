@@ -25,7 +25,7 @@ TEST_F(HardCommand, ListsTheCases) {
             "J5   jones      the same, windows that share a point [J5-corner.json]\n");
   const auto document = nlohmann::json::parse(sightline({"hard", "--list", "--json"}).out);
   EXPECT_EQ(document["schema"], "sightline/hard/1");
-  EXPECT_EQ(document["cases"].size(), 129U);
+  EXPECT_GE(document["cases"].size(), 129U);
 }
 
 TEST_F(HardCommand, RunsACompleteCase) {

@@ -209,7 +209,6 @@ TEST(Machines, EveryOneHasWhatTheCommandsNeed) {
     EXPECT_FALSE(machine->name.empty());
     EXPECT_NE(machine->make, nullptr) << machine->name;
     EXPECT_FALSE(machine->formats.empty()) << machine->name;
-    EXPECT_FALSE(machine->disassemblers.empty()) << machine->name;
     const machines::Arguments arguments(machine->options);
     EXPECT_FALSE(arguments.given("--load")) << machine->name;
     for (const machines::Option& option : machine->options) {

@@ -96,7 +96,7 @@ TEST_F(ReportFiles, TheOutputOfAPartIsChecked) {
   EXPECT_EQ(refused([&](Section& section) { table(section).id = "../sample"; }),
             "id \"../sample\": expected a-z, 0-9 and -");
   EXPECT_EQ(refused([&](Section& section) { table(section).id = "figure"; }),
-            "id figure: found twice in the report");
+            "id figure: found twice in the report, expected a different id of every section, chapter, table, plot and picture");
   EXPECT_EQ(refused([&](Section& section) { table(section).columns[1].key = "name"; }),
             "sample: two columns name");
   EXPECT_TRUE(found().empty());

