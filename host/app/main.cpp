@@ -26,6 +26,7 @@ constexpr auto commands = std::to_array<Entry>({
     {"skala", add_skala_command},
     {"stripes", add_stripes_command},
     {"draw", add_draw_command},
+    {"verify", add_verify_command},
     {"compare", add_compare_command},
     {"hard", add_hard_command},
     {"explain", add_explain_command},

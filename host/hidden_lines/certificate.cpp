@@ -86,8 +86,9 @@ void append_intersection(const scene::PolyScene& scene, const scene::PolyCrossin
 
 void append_witnesses(std::string_view side, std::span<const Witness> witnesses, Text& text) {
   for (const Witness& witness : witnesses) {
-    if (witness.face == Witness::behind_eye) text << "behind " << witness.low << " " << witness.high << "\n";
-    else text << side << " " << witness.low << " " << witness.high << " " << witness.face << "\n";
+    text << side << " " << witness.low << " " << witness.high << " ";
+    if (witness.face == Witness::behind_eye) text << "behind\n";
+    else text << witness.face << "\n";
   }
 }
 
@@ -105,7 +106,7 @@ std::string certificate_of(const scene::PolyScene& scene, const Camera& camera, 
   Text text;
   text.reserve(32 * (scene.vertices.size() + scene::face_count(scene) + proof.edges.size()));
   text << "sightline-certificate 1\nview " << (camera.perspective ? "perspective" : "parallel") << "\neye" << camera.eye << "forward"
-       << camera.forward << "right" << camera.right << "up" << camera.up;
+       << camera.forward << "rightward" << camera.right << "upward" << camera.up;
   append_scene(scene, text);
   std::vector<scene::PolyWire> wires;
   for (const auto& [a, b] : scene.wires) wires.push_back({std::min(a, b), std::max(a, b)});

@@ -1,7 +1,6 @@
 #!/bin/sh
 # Installs a build into a separate folder and uses it as an outside user would: the command with its man pages and completion, the
-# machines
-# as a library (CMake package, pkg-config, add_subdirectory), a Debian package.
+# machines and hidden-line removal as libraries (CMake package, pkg-config, add_subdirectory), a Debian package.
 #
 #   check_install.sh BUILD_DIRECTORY CXX REPORT        REPORT: ON if sightline-report is built
 set -eu
@@ -22,9 +21,10 @@ check_example() {
   case $1 in
     */pdp7_square) expected="halted: 508 flashes" ;;
     */i8080_hello) expected="halted after 636 T-states, 83 instructions" ;;
+    */hidden_lines) expected="14 edges, 12 visible parts, 3 hidden" ;;
     */i8080_watched) expected="PC 0007 after 86 T-states: 5 times DCR B" ;;
   esac
-  [ "$("$1" | tail -1)" = "$expected" ] || fail "$1 printed something else"
+  [ "$(cd "$work" && "$1" | tail -1)" = "$expected" ] || fail "$1 printed something else"
 }
 
 # The installed tree can be moved: it contains no absolute path.
@@ -34,7 +34,8 @@ tree=$work/moved
 
 for file in bin/sightline share/man/man1/sightline.1 share/man/man1/sightline-draw-exact.1 \
             share/bash-completion/completions/sightline share/doc/sightline/LICENSE share/doc/sightline/host/manual/dap.md \
-            share/doc/sightline/host/examples/hello.asm include/sightline/i8080/pin_bus.hpp; do
+            share/doc/sightline/host/examples/hello.asm include/sightline/i8080/pin_bus.hpp \
+            include/sightline/hidden_lines.hpp; do
   [ -s "$tree/$file" ] || fail "$file is missing"
 done
 "$tree/bin/sightline" --version | grep -q '^sightline [0-9.]*$' || fail "--version"
@@ -91,7 +92,8 @@ cmake_build() { # cmake_build DIRECTORY "EXAMPLE..." OPTION...
   quietly cmake --build "$directory" --target $examples
   for example in $examples; do check_example "$directory/$example"; done
 }
-cmake_build package "pdp7_square i8080_hello i8080_watched" -DCMAKE_PREFIX_PATH="$tree"
+cmake_build package "pdp7_square i8080_hello i8080_watched hidden_lines" -DCMAKE_PREFIX_PATH="$tree"
+grep -q '<path' "$work/hidden_lines.svg" || fail "the drawing of the example has no lines"
 cmake_build subdirectory pdp7_square -DSIGHTLINE_SOURCE="$source"
 # A project that contains the machines as a folder installs only its own files.
 quietly cmake --install "$work/subdirectory" --prefix "$work/of-a-project"
@@ -102,11 +104,22 @@ if command -v pkg-config > /dev/null; then
   # shellcheck disable=SC2086 # the flags are split on purpose
   quietly "$cxx" -std=c++20 "$here/examples/i8080_hello.cpp" $flags -o "$work/pkg-config/i8080_hello"
   check_example "$work/pkg-config/i8080_hello"
+  flags=$(PKG_CONFIG_PATH=$(dirname "$(find "$tree" -name sightline-hidden-lines.pc)") pkg-config --cflags --libs sightline-hidden-lines)
+  # shellcheck disable=SC2086 # the flags are split on purpose
+  quietly "$cxx" -std=c++20 -Wall -Wextra -Wpedantic -Werror "$here/examples/hidden_lines.cpp" $flags \
+    "-Wl,-rpath,$(dirname "$(find "$tree" -name 'libsightline_hidden_lines.so')")" -o "$work/pkg-config/hidden_lines"
+  check_example "$work/pkg-config/hidden_lines"
+fi
+# The shared library exports its own functions only.
+if command -v nm > /dev/null; then
+  foreign=$(nm -DC --defined-only "$(find "$tree" -name 'libsightline_hidden_lines.so')" | cut -d' ' -f3- |
+            grep -v '^\(vtable for \|typeinfo for \|typeinfo name for \)\{0,1\}sightline::[A-Z_a-z]*\(::\|(\|\[\|$\)' || true)
+  [ -z "$foreign" ] || fail "the library exports $foreign"
 fi
 
 # The headers use no exceptions and run-time types, and include no streams, files, threads or clocks. (<memory> includes
 # <stdexcept>.)
-find "$tree/include" -name '*.hpp' | sort | sed 's/.*/#include "&"/' > "$work/all.cpp"
+find "$tree/include" -name '*.hpp' ! -name hidden_lines.hpp | sort | sed 's/.*/#include "&"/' > "$work/all.cpp"
 quietly "$cxx" -std=c++20 -fno-exceptions -fno-rtti -Wall -Wextra -Werror -fsyntax-only "$work/all.cpp"
 heavy=$("$cxx" -std=c++20 -M "$work/all.cpp" | tr -s ' ' '\n' |
         grep -E '/(iostream|fstream|sstream|locale|filesystem|thread|mutex|regex|chrono)$' || true)

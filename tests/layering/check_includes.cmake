@@ -17,6 +17,7 @@ set(LIBRARY_RULES
   "draco/=host/scene/read/draco_mesh.cpp"
   "CLI/=host/app"
   "editline/=host/app"
+  "gmp=tools/verify"
   "gtest/=tests"
   "benchmark/=tests")
 

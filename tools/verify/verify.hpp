@@ -16,12 +16,12 @@ struct Verdict {
   std::string reason;    // of the fault, as a clause
   std::size_t edges = 0;
   std::size_t visible = 0;  // intervals
-  std::size_t hidden = 0;   // intervals
+  std::size_t hidden = 0;   // edges without a visible interval
 };
 
 [[nodiscard]] Verdict verify(std::string_view certificate);
 
-// "proved: 12 edges, 9 visible intervals, 3 hidden", or "line 7: REASON".
+// "proved: 12 edges, 9 visible intervals, 3 edges hidden", or "line 7: REASON".
 [[nodiscard]] std::string sentence(const Verdict& verdict);
 
 }  // namespace sightline::verifier

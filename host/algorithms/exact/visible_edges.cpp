@@ -389,11 +389,14 @@ picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera
     EdgeProof& proof = proofs[p];
     proof.edge = chosen != nullptr ? chosen->edges[p] : mesh.edges[p];
     number = std::lower_bound(number, mesh.edges.end(), proof.edge);
-    if (view.drawn[static_cast<std::size_t>(number - mesh.edges.begin())] != 0) continue;
-    if (!view.before_eye(view.points[proof.edge.from]) && !view.before_eye(view.points[proof.edge.to]))
+    const auto edge = static_cast<std::uint32_t>(number - mesh.edges.begin());
+    if (view.drawn[edge] != 0) continue;
+    if (view.before_eye(view.points[proof.edge.from]) || view.before_eye(view.points[proof.edge.to]))
+      proof.reason = EdgeProof::Reason::turned_away;
+    else if (edge < mesh.first_line() ? EdgeSight(view).begin(edge) : LineSight(view).begin(edge))
       proof.left = proof.right = {{0, 1, Witness::behind_eye}};
     else
-      proof.reason = EdgeProof::Reason::turned_away;
+      proof.reason = EdgeProof::Reason::point;
   }
   return by_edge(parts, order, mesh.edges.size());
 }

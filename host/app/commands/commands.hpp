@@ -28,6 +28,7 @@ void add_spin_command(const Command& program);
 void add_stripes_command(const Command& program);
 void add_sweep_command(const Command& program);
 void add_turn_command(const Command& program);
+void add_verify_command(const Command& program);
 
 // `report` runs the separate program sightline-report, which need not be built and installed.
 void add_report_command(const Command& program);

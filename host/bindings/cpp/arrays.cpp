@@ -177,6 +177,7 @@ base::Result<hidden_lines::ViewOptions> view_options(const DrawOptions& options,
   if (options.scale) result.field.scale = *options.scale * scene.scene.step;
   result.field.min_length = options.min_length;
   result.strokes = true;
+  result.proof = options.certificate;
   result.jobs = options.jobs;
   return result;
 }
@@ -219,6 +220,7 @@ base::Result<Drawing> draw(const hidden_lines::Scene& scene, const hidden_lines:
   result.low = {drawn->window.low[0] * unit, drawn->window.low[1] * unit};
   result.camera_error = aimed->error;
   result.notes = views.notes();
+  if (options.certificate) result.certificate = views.certificate(aimed->camera, *drawn);
   result.picture = std::make_shared<const Drawing::Picture>(Drawing::Picture{std::move(drawn->picture), options.width, options.height});
   return result;
 }

@@ -37,16 +37,10 @@
 #include <string_view>
 #include <vector>
 
-#if defined(__GNUC__)
-#define SIGHTLINE_EXPORT __attribute__((visibility("default")))
-#else
-#define SIGHTLINE_EXPORT
-#endif
-
 namespace sightline {
 
 // What a function throws. what() names the file or argument, the place in it, what was found and what was expected.
-class SIGHTLINE_EXPORT Error : public std::runtime_error {
+class Error : public std::runtime_error {
  public:
   enum class Kind : std::uint8_t {
     bad_input,  // a file, a mesh or a camera's place is wrong: the eye is inside a solid
@@ -228,7 +222,7 @@ struct FileOptions {
   bool as_found = false;     // keep the order of the lines; otherwise the raised pen's way is made short
 };
 
-struct SIGHTLINE_EXPORT Drawing {
+struct Drawing {
   std::vector<Line> lines;  // what is to be drawn
   std::vector<Part> parts;  // the exact parts of edges behind it: visible ones, and with DrawOptions::hidden also the others
   std::vector<Edge> edges;  // the chosen edges that have a part
@@ -259,7 +253,7 @@ struct SIGHTLINE_EXPORT Drawing {
 class Prepared;
 
 // A mesh on its grid, repaired and checked. Copies share it.
-class SIGHTLINE_EXPORT Scene {
+class Scene {
  public:
   // Throws Error bad_input: a coordinate that is not finite, a number of a vertex that does not exist, sizes that do not add
   // up, a mesh without faces and lines, or, without LoadOptions::mend, damage.
@@ -288,7 +282,7 @@ class SIGHTLINE_EXPORT Scene {
 };
 
 // A scene made ready for views with the same options.
-class SIGHTLINE_EXPORT Prepared {
+class Prepared {
  public:
   // Throws what Scene::draw throws.
   [[nodiscard]] Drawing draw(const Camera& camera = {}) const;
@@ -301,8 +295,8 @@ class SIGHTLINE_EXPORT Prepared {
 };
 
 // The names of standard views, for Camera::view.
-[[nodiscard]] SIGHTLINE_EXPORT std::vector<std::string> view_names();
+[[nodiscard]] std::vector<std::string> view_names();
 // "0.1.0"
-[[nodiscard]] SIGHTLINE_EXPORT std::string version();
+[[nodiscard]] std::string version();
 
 }  // namespace sightline
