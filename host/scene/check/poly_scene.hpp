@@ -16,6 +16,7 @@
 
 #include "host/base/result.hpp"
 #include "host/scene/check/cell_scene.hpp"
+#include "host/scene/check/problems.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::scene {
@@ -24,6 +25,12 @@ namespace sightline::scene {
 // nothing is. Faces are checked when their vertices exist and are within the limit, solids when their faces
 // are in order.
 [[nodiscard]] std::vector<base::Error> check_poly_scene(const PolyScene& scene);
+
+// The parts of it. Vertices that do not exist, that no face or wire has, and that are the same point as another one, `same_as` of them
+// (the vertex itself if there is none); false if a face or wire names a vertex that does not exist.
+bool check_vertices(const PolyScene& scene, std::span<const VertexIndex> same_as, Problems& problems);
+// The rings of one face, whose vertices exist and are within the limit. False if anything was found.
+bool check_face(const std::vector<PolyPoint>& vertices, const PolyFace& face, const std::string& place, Problems& problems);
 
 // Whether a ring of three or more vertices, all in one plane and not on a line, is simple and touches itself
 // nowhere; false, too, for one with too many edges side by side to be checked.
