@@ -17,7 +17,7 @@ inline void use(const scene::PolyScene& scene) {
   for (const auto format : {scene::PolyFormat::off, scene::PolyFormat::obj, scene::PolyFormat::ply, scene::PolyFormat::json}) {
     const auto text = scene::write_poly(scene, format);
     if (!text) continue;
-    const auto again = scene::read_poly(*text, "written", format);
+    const auto again = scene::read_poly(*text, "written", format, {.mend = true});
     if (!again) std::abort();
     if (format == scene::PolyFormat::json && again->scene != scene) std::abort();
   }

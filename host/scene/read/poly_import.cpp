@@ -133,7 +133,7 @@ class Import {
     for (base::Error& fault : mended.faults) fault.file = mesh_.source;
     result_.faults = std::move(mended.faults);
     if (mended.faces.empty() && scene().wires.empty()) {
-      if (!result_.faults.empty() && !mesh_.flaw) return std::nullopt;
+      if (!result_.faults.empty() && !mesh_.flaw && file.size() > 0) return std::nullopt;
       if (file.size() == 0)
         return mesh_.flaw.value_or(base::Error{mesh_.source, "", "found no faces", "a mesh", "points alone make no drawing"});
       return base::Error{mesh_.source, "", "no face with an area is left of " + std::to_string(file.size()),

@@ -136,7 +136,7 @@ class Mending {
     if (!options_.rounded) mark_faulty(piece);
   }
 
-  // The rings of the faces that were marked, as the file has them on the grid, or after rounding without what it did.
+  // What is wrong with the rings of marked faces: of the file on the grid, or if it was rounded, without what rounding did.
   void name_faulty_faces() {
     std::sort(faulty_.begin(), faulty_.end());
     faulty_.erase(std::unique(faulty_.begin(), faulty_.end()), faulty_.end());
@@ -154,6 +154,10 @@ class Mending {
       } else {
         static_cast<void>(check_face(points(), {piece.ring, {}}, face_place(scene_, body, mesh_.face_in_body(piece)), mesh_.faults));
       }
+    }
+    for (const auto& [piece, first] : duplicates_) {
+      if (!mesh_.names_faults()) return;
+      mesh_.add_fault(piece, "has the same vertices as face " + std::to_string(mesh_.face_in_body(first)));
     }
   }
 
@@ -232,19 +236,18 @@ class Mending {
         return mine == other;
       });
       if (first == p) continue;
-      if (mesh_.names_faults()) add_duplicate(piece, pieces_[first]);
+      if (options_.name_faults && have_equal_corners(piece, pieces_[first])) duplicates_.push_back({piece, pieces_[first]});
       MendedMesh::leave_out(piece, report_.duplicate_faces);
     }
   }
 
-  // Unless they only became equal.
-  void add_duplicate(const Piece& piece, const Piece& first) {
-    const auto corners_of = [this](const Piece& of) {
-      const auto outline = mesh_.file.outline(of.source);
+  // As the file has them, not only after rounding.
+  [[nodiscard]] bool have_equal_corners(const Piece& a, const Piece& b) const {
+    const auto corners_of = [this](const Piece& piece) {
+      const auto outline = mesh_.file.outline(piece.source);
       return std::set<VertexIndex>(outline.begin(), outline.end());
     };
-    if (piece.source != first.source && corners_of(piece) == corners_of(first))
-      mesh_.add_fault(piece, "has the same vertices as face " + std::to_string(mesh_.face_in_body(first)));
+    return a.source != b.source && corners_of(a) == corners_of(b);
   }
 
   // Which corner of a triangle without area lies between the other two; 3 for every other ring.
@@ -395,6 +398,7 @@ class Mending {
   std::vector<VertexIndex>& target_ = mesh_.target;
   std::vector<Piece>& pieces_ = mesh_.pieces;
   std::vector<std::array<std::uint32_t, 2>> faulty_;  // faces of the file and their bodies
+  std::vector<std::pair<Piece, Piece>> duplicates_;   // each with the first one
   MendResult result_;
 };
 
