@@ -35,12 +35,14 @@ void MendedMesh::leave_out(Piece& piece, std::size_t& count) {
 }
 
 void MendedMesh::sort_pieces() {
-  std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.source < b.source; });
+  std::stable_sort(pieces.begin(), pieces.end(), by_source);
 }
 
 void MendedMesh::add_fault(const Piece& piece, const std::string& text) {
-  if (names_faults()) faults.add(face_place(scene, piece.body, face_in_body(piece)), text);
+  if (names_faults()) faults.add(place_of(piece), text);
 }
+
+std::string MendedMesh::place_of(const Piece& piece) const { return face_place(scene, piece.body, face_in_body(piece)); }
 
 void remove_spikes(Ring& ring) {
   bool changed = true;

@@ -23,6 +23,8 @@ struct Piece {
   bool left_out = false;
 };
 
+[[nodiscard]] inline bool by_source(const Piece& a, const Piece& b) { return a.source < b.source; }
+
 struct MendedMesh {
   const PolyScene& scene;  // its vertices are the file's on the grid; its bodies have names, and no faces once `pieces` are filled
   const FileFaces& file;
@@ -45,6 +47,7 @@ struct MendedMesh {
   [[nodiscard]] bool names_faults() const { return options.name_faults && !faults.full(); }
   // Of the face of the file within its body.
   [[nodiscard]] std::size_t face_in_body(const Piece& piece) const { return piece.source - body_starts[piece.body]; }
+  [[nodiscard]] std::string place_of(const Piece& piece) const;
   // Does nothing unless faults are named.
   void add_fault(const Piece& piece, const std::string& text);
 };

@@ -22,7 +22,8 @@ struct Link {
 
 class PartFinder {
  public:
-  PartFinder(MendedMesh& mesh, MeshParts& result) : mesh_(mesh), pieces_(mesh.pieces), report_(mesh.report), result_(result), parts_(result.parts), part_of_(result.part_of) {}
+  PartFinder(MendedMesh& mesh, MeshParts& result)
+      : mesh_(mesh), pieces_(mesh.pieces), report_(mesh.report), result_(result), parts_(result.parts), part_of_(result.part_of) {}
 
   void find(const EdgeTable& edges) {
     // Nearly all edges of most meshes: of two faces of one body, which pass it in opposite directions.

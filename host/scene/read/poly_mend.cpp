@@ -112,9 +112,9 @@ class Mending {
             Piece{std::move(face.outline), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(pieces_.size())});
         for (VertexIndex& v : piece.ring) v = target_[v];
         if (!clean_already(piece.ring)) {
-          const std::size_t size = piece.ring.size();
+          const Piece before = options_.name_faults ? piece : Piece{};
           remove_spikes(piece.ring);
-          if (piece.ring.size() != size) mark_unless_rounded(piece);
+          if (piece.ring.size() < before.ring.size()) mark_faulty(before);
         }
         if (piece.ring.empty()) MendedMesh::leave_out(piece, report_.dropped_faces);
       }
@@ -127,38 +127,27 @@ class Mending {
     std::vector<VertexIndex> same_as = target_;
     for (VertexIndex v = 0; v < same_as.size(); ++v)
       if (mesh_.file.vertices[same_as[v]] != mesh_.file.vertices[v]) same_as[v] = v;
-    static_cast<void>(check_vertices(scene_, same_as, mesh_.faults));
+    check_vertices(scene_, same_as, mesh_.faults);
   }
 
-  void mark_faulty(const Piece& piece) { faulty_.push_back({piece.source, piece.body}); }
-  // Rounding alone may have done it.
-  void mark_unless_rounded(const Piece& piece) {
-    if (!options_.rounded) mark_faulty(piece);
+  // Rounding may have made it so, unless it cannot have.
+  void mark_faulty(const Piece& piece, bool even_if_rounded = false) {
+    if (options_.name_faults && (even_if_rounded || !options_.rounded)) faulty_.push_back(piece);
   }
 
-  // What is wrong with the rings of marked faces: of the file on the grid, or if it was rounded, without what rounding did.
   void name_faulty_faces() {
-    std::sort(faulty_.begin(), faulty_.end());
-    faulty_.erase(std::unique(faulty_.begin(), faulty_.end()), faulty_.end());
-    for (const auto& [source, body] : faulty_) {
-      if (!mesh_.names_faults()) return;
-      const auto outline = mesh_.file.outline(source);
-      Piece piece{{outline.begin(), outline.end()}, body, source};
-      if (options_.rounded) {
-        for (VertexIndex& v : piece.ring) v = target_[v];
-        remove_spikes(piece.ring);
-      }
+    std::stable_sort(faulty_.begin(), faulty_.end(), by_source);
+    for (std::size_t i = 0; i < faulty_.size() && !mesh_.faults.full(); ++i) {
+      const Piece& piece = faulty_[i];
+      if (i > 0 && piece.source == faulty_[i - 1].source) continue;
       const auto normal = ring_normal(points(), piece.ring);
-      if (options_.rounded && !geometry::is_zero(normal) && mesh_.deviation(piece.ring, normal) > 0) {
+      if (options_.rounded && !geometry::is_zero(normal) && mesh_.deviation(piece.ring, normal) > 0)
         mesh_.add_fault(piece, "is not planar and cannot be split into triangles along its vertices");
-      } else {
-        static_cast<void>(check_face(points(), {piece.ring, {}}, face_place(scene_, body, mesh_.face_in_body(piece)), mesh_.faults));
-      }
+      else
+        check_face(points(), {piece.ring, {}}, mesh_.place_of(piece), mesh_.faults);
     }
-    for (const auto& [piece, first] : duplicates_) {
-      if (!mesh_.names_faults()) return;
+    for (const auto& [piece, first] : duplicates_)
       mesh_.add_fault(piece, "has the same vertices as face " + std::to_string(mesh_.face_in_body(first)));
-    }
   }
 
   void put_in_order() {
@@ -183,7 +172,7 @@ class Mending {
       const Ring& ring = pieces_[p].ring;
       if (is_plainly_in_order(points(), ring)) continue;
       if (on_a_line(ring)) {
-        mark_unless_rounded(pieces_[p]);
+        mark_faulty(pieces_[p]);
         MendedMesh::leave_out(pieces_[p], report_.dropped_faces);
         continue;
       }
@@ -193,11 +182,7 @@ class Mending {
       if (area && height == 0 && is_simple_face(points(), ring)) continue;
       const auto triangles = area ? triangulate(points(), {ring, {}}) : std::nullopt;
       const bool can_be_split = triangles && !triangles->empty();
-      if (!can_be_split || height == 0) {
-        mark_faulty(pieces_[p]);
-      } else {
-        mark_unless_rounded(pieces_[p]);
-      }
+      mark_faulty(pieces_[p], !can_be_split || height == 0);
       if (!can_be_split) {
         if (report_.crossing_faces == 0) report_.first_crossing = pieces_[p].source;
         MendedMesh::leave_out(pieces_[p], report_.crossing_faces);
@@ -236,7 +221,7 @@ class Mending {
         return mine == other;
       });
       if (first == p) continue;
-      if (options_.name_faults && have_equal_corners(piece, pieces_[first])) duplicates_.push_back({piece, pieces_[first]});
+      if (mesh_.names_faults() && have_equal_corners(piece, pieces_[first])) duplicates_.push_back({piece, pieces_[first]});
       MendedMesh::leave_out(piece, report_.duplicate_faces);
     }
   }
@@ -273,7 +258,7 @@ class Mending {
     for (std::uint32_t p = 0; p < pieces_.size(); ++p)
       if (middle_of_flat(pieces_[p].ring) < 3) flat.push_back(p);
     if (flat.empty()) return;
-    for (const std::uint32_t p : flat) mark_unless_rounded(pieces_[p]);
+    for (const std::uint32_t p : flat) mark_faulty(pieces_[p]);
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> faces_at;  // sides of flat triangles
     for (const std::uint32_t p : flat)
       for (std::size_t i = 0; i < 3; ++i) faces_at[side_key(pieces_[p].ring[i], pieces_[p].ring[(i + 1) % 3])];
@@ -397,8 +382,8 @@ class Mending {
   MendedMesh mesh_;
   std::vector<VertexIndex>& target_ = mesh_.target;
   std::vector<Piece>& pieces_ = mesh_.pieces;
-  std::vector<std::array<std::uint32_t, 2>> faulty_;  // faces of the file and their bodies
-  std::vector<std::pair<Piece, Piece>> duplicates_;   // each with the first one
+  std::vector<Piece> faulty_;                        // faces whose rings have to be changed, as they were before
+  std::vector<std::pair<Piece, Piece>> duplicates_;  // each with the first one
   MendResult result_;
 };
 

@@ -134,6 +134,41 @@ TEST(PolyMend, WhatRoundingDidIsNoFault) {
   EXPECT_EQ(strict->report.faces.split_faces, 1U);
 }
 
+// Cubes with random faces between their corners and other points, on whole coordinates: a mesh has faults if, and only if, mending
+// changes it. No outline comes back to a vertex, which is a fault but not counted.
+TEST(PolyMend, WithoutFaultsNothingIsChanged) {
+  std::mt19937 random(11);
+  std::size_t faulty = 0;
+  constexpr std::size_t rounds = 600;
+  for (std::size_t round = 0; round < rounds; ++round) {
+    auto points = cube_corners;
+    Faces faces = cube_faces;
+    for (std::size_t more = random() % 3; more > 0; --more) {
+      Faces::value_type face;
+      while (face.size() < 3 + random() % 3) {
+        const VertexIndex v = static_cast<VertexIndex>(random() % (points.size() + 1));
+        if (v == points.size()) points.push_back({4, round % 2 == 0 ? 4.0 : 0.0, static_cast<double>(random() % 3) * 8});
+        if (std::find(face.begin(), face.end(), v) == face.end()) face.push_back(v);
+      }
+      if (random() % 2 == 0) faces.push_back(face);
+      else faces[random() % 6] = face;
+    }
+    const PolyMesh mesh = mesh_of(points, faces);
+    const auto strict = import_poly(mesh);
+    if (!strict) continue;  // no face is left
+    PolyImport mended = mend_mesh(mesh);
+    const MendReport& report = mended.report.faces;
+    const bool changed = report.merged_vertices + report.divided_edges + report.dropped_vertices + report.dropped_faces + report.duplicate_faces +
+                             report.split_faces + report.turned_faces + report.crossing_faces >
+                         0;
+    EXPECT_EQ(!strict->faults.empty(), changed) << round << (strict->faults.empty() ? "" : strict->faults[0].message());
+    EXPECT_EQ(strict->scene, mended.scene);
+    faulty += changed ? 1U : 0U;
+  }
+  EXPECT_GT(faulty, rounds / 4);
+  EXPECT_LT(faulty, rounds);
+}
+
 TEST(PolyMend, ValidMeshesAreUnchanged) {
   const PolyImport cube = mend_mesh(mesh_of(cube_corners, cube_faces));
   const MendReport& report = cube.report.faces;
