@@ -28,7 +28,7 @@ inline void fuzz_poly(const std::uint8_t* data, std::size_t size, scene::PolyFor
   for (const bool mend : {false, true}) {
     const auto result = scene::read_poly(text, "fuzz", format, {mend});
     if (!result) continue;
-    if (mend && format != scene::PolyFormat::json && !scene::check_poly_scene(result->scene).empty()) std::abort();
+    if (format != scene::PolyFormat::json && !scene::check_poly_scene(result->scene).empty()) std::abort();
     use(result->scene);
   }
 }
