@@ -26,8 +26,8 @@ namespace sightline::scene {
 // are in order.
 [[nodiscard]] std::vector<base::Error> check_poly_scene(const PolyScene& scene);
 
-// The parts of it. Vertices that do not exist, that no face or wire has, and that are the same point as another one, `same_as` of them
-// (the vertex itself if there is none); false if a face or wire names a vertex that does not exist.
+// Two parts of this check. Finds indices without a vertex, vertices that no face or wire has, and those that are the same point as an
+// earlier one, `same_as` of them (the vertex itself if there is none). False: there is an index without a vertex, or no more is added.
 bool check_vertices(const PolyScene& scene, std::span<const VertexIndex> same_as, Problems& problems);
 // The rings of one face, whose vertices exist and are within the limit. False if anything was found.
 bool check_face(const std::vector<PolyPoint>& vertices, const PolyFace& face, const std::string& place, Problems& problems);
