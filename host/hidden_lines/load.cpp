@@ -10,7 +10,7 @@
 #include "host/base/nearest_name.hpp"
 #include "host/base/text.hpp"
 #include "host/hidden_lines/hidden_lines.hpp"
-#include "host/scene/check/poly_scene.hpp"
+#include "host/scene/check/problems.hpp"
 #include "host/scene/read/builtin.hpp"
 #include "host/scene/read/changes.hpp"
 #include "host/scene/read/poly_import.hpp"
@@ -89,12 +89,8 @@ base::Result<Scene> load(scene::PolyMesh mesh, const LoadOptions& options) {
   if (!import) return std::move(import.error());
   loaded.scene = std::move(import->scene);
   loaded.report = std::move(import->report);
-  // A repaired mesh needs no check.
-  if (loaded.report.mended) return loaded;
-  scene::SceneReading reading;
-  reading.errors = scene::check_poly_scene(loaded.scene);
-  reading.loaded = std::move(loaded);
-  return scene::scene_or_error(std::move(reading));
+  if (!import->faults.empty()) return scene::first_of(import->faults);
+  return loaded;
 }
 
 std::vector<std::string> notes_of(const scene::PolyImportReport& report) {

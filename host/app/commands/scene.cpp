@@ -110,10 +110,7 @@ struct ShowArguments {
 
 // Reports the defects of a scene; for a mesh, also whether the other commands would repair them.
 ExitCode check(const ShowArguments& arguments) {
-  scene::SceneFile file = find_scene(arguments.scene);
-  std::optional<scene::SceneReading> mended;
-  if (!arguments.json && scene::can_be_mended(file)) mended = scene::read_scene(file, {.mend = true});
-  scene::SceneReading reading = scene::read_scene(std::move(file));
+  scene::SceneReading reading = scene::read_scene(find_scene(arguments.scene));
   const std::string& name = reading.loaded.name;
   // The position of the eye can only be checked among correct bodies.
   if (reading.errors.empty() && reading.loaded.kind != scene::SceneKind::cells) {
@@ -133,10 +130,10 @@ ExitCode check(const ShowArguments& arguments) {
                 {"errors", std::move(errors)}});
   } else {
     for (const base::Error& error : reading.errors) print_message(error.message());
-    warn_of_changes(mended && mended->errors.empty() ? mended->loaded.report : reading.loaded.report);
+    warn_of_changes(reading.loaded.report);
     if (possible) {
       write_stdout(name + ": a possible scene\n");
-    } else if (mended && mended->errors.empty()) {
+    } else if (reading.loaded.report.mended) {
       write_stdout(name + ": all other commands repair this, unless --strict is given\n");
     }
   }

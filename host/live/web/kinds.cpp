@@ -1,5 +1,4 @@
-#include "host/live/web/kinds.hpp"
-
+// The request that finds the kind of a file.
 #include <fmt/format.h>
 
 #include <algorithm>

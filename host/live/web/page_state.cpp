@@ -1,9 +1,6 @@
 #include "host/live/web/page_state.hpp"
 
-#include "host/live/web/kinds.hpp"
-#include "host/live/web/pictures.hpp"
-#include "host/live/web/stripes.hpp"
-#include "host/live/web/turning.hpp"
+#include "host/live/web/requests.hpp"
 
 namespace sightline::live::web {
 

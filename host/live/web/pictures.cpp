@@ -1,5 +1,5 @@
-#include "host/live/web/pictures.hpp"
-
+// Requests about pictures: scenes, the algorithms that draw them, their lessons, and the programs of Jones and Skala on their
+// machines.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -151,7 +151,8 @@ Json make_skala(Workbench& workbench, const Json& request) {
 // The name of an expression's second variable; an error for a text that is no expression.
 Json check_expression(const Json& request) {
   const auto parsed = scene::Expression::parse(text_of(request, "expression"), "f(x, z)");
-  return parsed ? Json{{"second", std::string(1, parsed->second())}} : error_answer(message_of(parsed.error()));
+  if (!parsed) return error_answer(message_of(parsed.error()));
+  return Json{{"second", std::string(1, parsed->second())}};
 }
 
 // The cost of the visibility test: the drawing times with hidden lines removed and with all lines, on the same machine.

@@ -1,5 +1,5 @@
-// Functions that the page's requests share: members with default values, the scene that they name, and a program loaded into a
-// PDP-7.
+// The functions that answer requests of the page, and what they share: members with default values, the scene that a request names,
+// and a program loaded into a PDP-7.
 #pragma once
 
 #include <map>
@@ -14,6 +14,18 @@
 #include "host/scene/read/load.hpp"
 
 namespace sightline::live::web {
+
+// Each answers the requests named above it; null for any other.
+
+// lists, firmware, scene, draw, explain, jones, sight, skala and cost: scenes, the algorithms that draw them, their lessons, and the
+// programs of Jones and Skala on their machines.
+[[nodiscard]] Json pictures_answer(Workbench& workbench, std::string_view what, const Json& request);
+// stripes: draws a scene in stripes on the page's 8080 (firmware/i8080/stripes).
+[[nodiscard]] Json stripes_answer(Workbench& workbench, std::string_view what, const Json& request);
+// turn and turn_sight: turns a solid on the page's PDP-7 (firmware/pdp7/turn).
+[[nodiscard]] Json turning_answer(Workbench& workbench, std::string_view what, const Json& request);
+// kind: finds the kind of a file on the page by its content, or else by its extension.
+[[nodiscard]] Json kinds_answer(Workbench& workbench, std::string_view what, const Json& request);
 
 [[nodiscard]] std::string text_of(const Json& request, std::string_view key);
 [[nodiscard]] double number_of(const Json& request, std::string_view key, double otherwise);

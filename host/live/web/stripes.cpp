@@ -1,5 +1,4 @@
-#include "host/live/web/stripes.hpp"
-
+// The request that draws a scene in stripes on the page's 8080.
 #include <fmt/core.h>
 
 #include <utility>

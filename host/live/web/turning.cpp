@@ -1,5 +1,4 @@
-#include "host/live/web/turning.hpp"
-
+// The requests that turn a solid on the page's PDP-7.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -11,7 +11,6 @@
 
 #include "host/algorithms/plantinga/event_file.hpp"
 #include "host/base/file.hpp"
-#include "host/scene/check/poly_scene.hpp"
 #include "host/scene/read/poly_file.hpp"
 
 namespace sightline::report {
@@ -104,10 +103,7 @@ scene::PolyScene plantinga_scene(std::string_view name) {
     if (known != file) continue;
     auto read = scene::read_poly(text, file, scene::PolyFormat::off);
     if (!read) throw base::bad_input(read.error().message());
-    auto scene = std::move(read->scene);
-    if (const auto errors = scene::check_poly_scene(scene); !errors.empty())
-      throw base::bad_input(errors.front().message());
-    return scene;
+    return std::move(read->scene);
   }
   throw base::bad_input(fmt::format("{}: no such model", name));
 }

@@ -33,11 +33,8 @@ struct Support {
 
 class FaceCheck {
  public:
-  FaceCheck(const PolyScene& scene, std::size_t body, std::size_t face, Problems& problems)
-      : scene_(scene),
-        face_(scene.bodies[body].faces[face]),
-        place_(face_place(scene, body, face)),
-        problems_(problems) {}
+  FaceCheck(const std::vector<PolyPoint>& vertices, const PolyFace& face, const std::string& place, Problems& problems)
+      : vertices_(vertices), face_(face), place_(place), problems_(problems) {}
 
   bool run() {
     rings_.push_back(&face_.outline);
@@ -54,7 +51,7 @@ class FaceCheck {
     const std::size_t axis = geometry::dominant_axis(support->plane.normal);
     for (const Ring* ring : rings_) {
       flat_.emplace_back();
-      for (const VertexIndex v : *ring) flat_.back().push_back(geometry::flattened(scene_.vertices[v], axis));
+      for (const VertexIndex v : *ring) flat_.back().push_back(geometry::flattened(vertices_[v], axis));
     }
     check_crossings();
     if (good_) check_nesting();
@@ -79,7 +76,7 @@ class FaceCheck {
   }
 
   std::string vertex_name(VertexIndex v) const {
-    return "vertex " + std::to_string(v) + " " + text_of(scene_.vertices[v]);
+    return "vertex " + std::to_string(v) + " " + text_of(vertices_[v]);
   }
 
   std::string edge_name(const Segment& s) const {
@@ -94,16 +91,16 @@ class FaceCheck {
       return;
     }
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      if (scene_.vertices[ring[i]] == scene_.vertices[ring[(i + 1) % ring.size()]])
+      if (vertices_[ring[i]] == vertices_[ring[(i + 1) % ring.size()]])
         add(ring_name(r) + " has " + vertex_name(ring[i]) + " twice in succession");
     }
   }
 
   [[nodiscard]] std::optional<Support> find_support(const Ring& ring) const {
-    const PolyPoint& a = scene_.vertices[ring[0]];
-    const PolyPoint& b = scene_.vertices[ring[1]];
+    const PolyPoint& a = vertices_[ring[0]];
+    const PolyPoint& b = vertices_[ring[1]];
     for (std::size_t i = 2; i < ring.size(); ++i) {
-      const geometry::Plane plane = geometry::plane_through(a, b, scene_.vertices[ring[i]]);
+      const geometry::Plane plane = geometry::plane_through(a, b, vertices_[ring[i]]);
       if (!geometry::is_zero(plane.normal)) return Support{{ring[0], ring[1], ring[i]}, plane};
     }
     return std::nullopt;
@@ -112,7 +109,7 @@ class FaceCheck {
   void check_plane(const Support& support) {
     for (const Ring* ring : rings_) {
       for (const VertexIndex v : *ring) {
-        if (support.plane.side(scene_.vertices[v]) == 0) continue;
+        if (support.plane.side(vertices_[v]) == 0) continue;
         const auto& on = support.vertices;
         add(vertex_name(v) + " is not in the plane of vertices " + std::to_string(on[0]) + ", " +
             std::to_string(on[1]) + " and " + std::to_string(on[2]));
@@ -191,24 +188,14 @@ class FaceCheck {
     }
   }
 
-  const PolyScene& scene_;
+  const std::vector<PolyPoint>& vertices_;
   const PolyFace& face_;
-  std::string place_;
+  const std::string& place_;
   Problems& problems_;
   bool good_ = true;
   std::vector<const Ring*> rings_;
   std::vector<std::vector<Point2>> flat_;
 };
-
-// The rings of one face. Its vertices exist and are within the limit. False if anything was found.
-bool check_poly_face(const PolyScene& scene, std::size_t body, std::size_t face, Problems& problems) {
-  return FaceCheck(scene, body, face, problems).run();
-}
-
-bool is_plainly_in_order(const PolyScene& scene, std::size_t body, std::size_t face) {
-  const PolyFace& checked = scene.bodies[body].faces[face];
-  return checked.holes.empty() && scene::is_plainly_in_order(scene.vertices, checked.outline);
-}
 
 // A connected part of a solid's surface.
 struct Shell {
@@ -366,24 +353,22 @@ bool check_references(const PolyScene& scene, std::vector<bool>& used, Problems&
   return good && !problems.full();
 }
 
-void check_vertices(const PolyScene& scene, const std::vector<bool>& used, Problems& problems) {
+}  // namespace
+
+bool check_vertices(const PolyScene& scene, std::span<const VertexIndex> same_as, Problems& problems) {
+  std::vector<bool> used(scene.vertices.size(), false);
+  if (!check_references(scene, used, problems)) return false;
   for (std::size_t v = 0; v < used.size() && !problems.full(); ++v)
     if (!used[v]) problems.add("vertex", v, scene.wires.empty() ? "is not used by any face" : "is not used by any face or wire");
-  if (all_differ(scene.vertices)) return;
-  std::vector<VertexIndex> order(scene.vertices.size());
-  std::iota(order.begin(), order.end(), VertexIndex{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](VertexIndex a, VertexIndex b) { return scene.vertices[a] < scene.vertices[b]; });
-  for (std::size_t i = 1; i < order.size() && !problems.full(); ++i) {
-    const PolyPoint& point = scene.vertices[order[i]];
-    if (point == scene.vertices[order[i - 1]]) {
-      problems.add("vertex", order[i],
-                   "is the same point " + text_of(point) + " as vertex " + std::to_string(order[i - 1]));
-    }
-  }
+  for (std::size_t v = 0; v < used.size() && !problems.full(); ++v)
+    if (same_as[v] != v)
+      problems.add("vertex", v, "is the same point " + text_of(scene.vertices[v]) + " as vertex " + std::to_string(same_as[v]));
+  return true;
 }
 
-}  // namespace
+bool check_face(const std::vector<PolyPoint>& vertices, const PolyFace& face, const std::string& place, Problems& problems) {
+  return FaceCheck(vertices, face, place, problems).run();
+}
 
 bool is_plainly_in_order(const std::vector<PolyPoint>& vertices, std::span<const VertexIndex> ring) {
   if (ring.size() != 3 && ring.size() != 4) return false;
@@ -405,15 +390,8 @@ bool is_plainly_in_order(const std::vector<PolyPoint>& vertices, std::span<const
 
 bool is_simple_face(const std::vector<PolyPoint>& vertices, std::span<const VertexIndex> ring) {
   if (ring.size() == 3) return true;
-  PolyScene alone;  // with its own numbers: the vertices of a mesh are many
-  PolyFace face;
-  for (const VertexIndex v : ring) {
-    face.outline.push_back(static_cast<VertexIndex>(alone.vertices.size()));
-    alone.vertices.push_back(vertices[v]);
-  }
-  alone.bodies.push_back({"", true, {std::move(face)}});
   Problems problems;
-  return check_poly_face(alone, 0, 0, problems);
+  return check_face(vertices, {{ring.begin(), ring.end()}, {}}, "", problems);
 }
 
 std::vector<base::Error> check_poly_scene(const PolyScene& scene) {
@@ -421,13 +399,14 @@ std::vector<base::Error> check_poly_scene(const PolyScene& scene) {
   if (scene.bodies.empty() && scene.wires.empty()) problems.add("bodies", "expected at least one body, found none");
   check_camera(scene.camera, problems);
   const bool within_limits = check_coordinates(scene, problems);
-  std::vector<bool> used(scene.vertices.size(), false);
-  if (!check_references(scene, used, problems)) return problems.take();
-  check_vertices(scene, used, problems);
+  if (!check_vertices(scene, equal_points(scene.vertices), problems)) return problems.take();
   for (std::size_t b = 0; b < scene.bodies.size() && within_limits; ++b) {
     bool good = !scene.bodies[b].faces.empty();
-    for (std::size_t f = 0; f < scene.bodies[b].faces.size() && !problems.full(); ++f)
-      good = (is_plainly_in_order(scene, b, f) || check_poly_face(scene, b, f, problems)) && good;
+    for (std::size_t f = 0; f < scene.bodies[b].faces.size() && !problems.full(); ++f) {
+      const PolyFace& face = scene.bodies[b].faces[f];
+      if (face.holes.empty() && is_plainly_in_order(scene.vertices, face.outline)) continue;
+      good = check_face(scene.vertices, face, face_place(scene, b, f), problems) && good;
+    }
     if (good && !scene.bodies[b].sheet && !problems.full()) check_poly_solid(scene, b, problems);
   }
   return problems.take();

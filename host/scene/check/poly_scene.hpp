@@ -16,6 +16,7 @@
 
 #include "host/base/result.hpp"
 #include "host/scene/check/cell_scene.hpp"
+#include "host/scene/check/problems.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::scene {
@@ -24,6 +25,12 @@ namespace sightline::scene {
 // nothing is. Faces are checked when their vertices exist and are within the limit, solids when their faces
 // are in order.
 [[nodiscard]] std::vector<base::Error> check_poly_scene(const PolyScene& scene);
+
+// Two parts of this check. Finds indices without a vertex, vertices that no face or wire has, and those that are the same point as an
+// earlier one, `same_as` of them (the vertex itself if there is none). False: there is an index without a vertex, or no more is added.
+bool check_vertices(const PolyScene& scene, std::span<const VertexIndex> same_as, Problems& problems);
+// The rings of one face, whose vertices exist and are within the limit. False if anything was found.
+bool check_face(const std::vector<PolyPoint>& vertices, const PolyFace& face, const std::string& place, Problems& problems);
 
 // Whether a ring of three or more vertices, all in one plane and not on a line, is simple and touches itself
 // nowhere; false, too, for one with too many edges side by side to be checked.

@@ -2,7 +2,6 @@
 #include "host/scene/check/poly_shells.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 #include <span>
 #include <tuple>
@@ -26,35 +25,6 @@ void for_face_edges(const PolyBody& body, Visit visit) {
     add_ring(body.faces[f].outline);
     for (const Ring& hole : body.faces[f].holes) add_ring(hole);
   }
-}
-
-struct BodyShell {
-  std::size_t body = 0;
-  geometry::Int128 volume = 0;
-  PolyPoint low{};
-  PolyPoint high{};
-
-  [[nodiscard]] bool strictly_within(const BodyShell& other) const {
-    for (std::size_t a = 0; a < 3; ++a)
-      if (low[a] <= other.low[a] || high[a] >= other.high[a]) return false;
-    return true;
-  }
-};
-
-BodyShell shell_of(const std::vector<PolyPoint>& vertices, const std::vector<PolyBody>& bodies,
-                   std::size_t number) {
-  const PolyBody& body = bodies[number];
-  BodyShell shell{number, enclosed_volume(vertices, body), vertices[body.faces[0].outline[0]], {}};
-  shell.high = shell.low;
-  for (const PolyFace& face : body.faces) {
-    for (const VertexIndex v : face.outline) {
-      for (std::size_t a = 0; a < 3; ++a) {
-        shell.low[a] = std::min(shell.low[a], vertices[v][a]);
-        shell.high[a] = std::max(shell.high[a], vertices[v][a]);
-      }
-    }
-  }
-  return shell;
 }
 
 std::size_t root_of(std::vector<std::size_t>& parents, std::size_t face) {
@@ -147,31 +117,6 @@ geometry::Int128 enclosed_volume(const std::vector<PolyPoint>& vertices, const P
   geometry::Int128 volume = 0;
   for (const PolyFace& face : body.faces) volume += enclosed_volume(vertices, face);
   return volume;
-}
-
-void join_cavities(const std::vector<PolyPoint>& vertices, std::vector<PolyBody>& bodies) {
-  std::vector<BodyShell> outer;
-  std::vector<BodyShell> inner;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    if (bodies[b].faces.empty() || !is_closed(face_edges(bodies[b]))) continue;
-    const BodyShell shell = shell_of(vertices, bodies, b);
-    if (shell.volume != 0) (shell.volume > 0 ? outer : inner).push_back(shell);
-  }
-  std::stable_sort(outer.begin(), outer.end(),
-                   [](const BodyShell& a, const BodyShell& b) { return a.volume < b.volume; });
-  for (const BodyShell& cavity : inner) {
-    const auto around = std::find_if(outer.begin(), outer.end(),
-                                     [&](const BodyShell& shell) { return cavity.strictly_within(shell); });
-    if (around == outer.end()) continue;
-    auto& from = bodies[cavity.body].faces;
-    auto& to = bodies[around->body].faces;
-    std::move(from.begin(), from.end(), std::back_inserter(to));
-    from.clear();
-  }
-  // Every body had faces.
-  bodies.erase(
-      std::remove_if(bodies.begin(), bodies.end(), [](const PolyBody& body) { return body.faces.empty(); }),
-      bodies.end());
 }
 
 }  // namespace sightline::scene

@@ -37,8 +37,4 @@ struct FaceEdge {
 [[nodiscard]] geometry::Int128 enclosed_volume(const std::vector<PolyPoint>& vertices, const PolyFace& face);
 [[nodiscard]] geometry::Int128 enclosed_volume(const std::vector<PolyPoint>& vertices, const PolyBody& body);
 
-// A closed body that faces inwards and whose bounds are strictly inside those of a closed one that faces
-// outwards is a cavity: its faces become the latter's, of several the smallest's. The order is kept.
-void join_cavities(const std::vector<PolyPoint>& vertices, std::vector<PolyBody>& bodies);
-
 }  // namespace sightline::scene

@@ -27,6 +27,13 @@ inline constexpr const char* axis_names = "xyz";
   return axis_name(axis) + " " + std::to_string(span.low) + ".." + std::to_string(span.high);
 }
 
+// The first of one or more errors, which says how many there are.
+[[nodiscard]] inline base::Error first_of(const std::vector<base::Error>& errors) {
+  base::Error first = errors.front();
+  if (errors.size() > 1) first.found += " (the first of " + std::to_string(errors.size()) + " errors)";
+  return first;
+}
+
 class Problems {
  public:
   // Nothing is added beyond most_scene_errors, and no error twice (a face has two sides).

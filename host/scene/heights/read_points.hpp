@@ -10,7 +10,7 @@
 
 #include "host/base/result.hpp"
 #include "host/scene/heights/grid.hpp"
-#include "host/scene/heights/grid_options.hpp"
+#include "host/scene/heights/read_grid.hpp"
 #include "host/scene/heights/read_text.hpp"
 #include "host/scene/heights/surface_net.hpp"
 

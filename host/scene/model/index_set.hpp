@@ -61,11 +61,4 @@ class IndexSet {
   return target;
 }
 
-[[nodiscard]] inline bool all_differ(const std::vector<PolyPoint>& points) {
-  const std::vector<VertexIndex> first = equal_points(points);
-  for (VertexIndex v = 0; v < first.size(); ++v)
-    if (first[v] != v) return false;
-  return true;
-}
-
 }  // namespace sightline::scene

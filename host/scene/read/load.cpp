@@ -11,6 +11,7 @@
 #include "host/scene/cells/from_cell_scene.hpp"
 #include "host/scene/check/cell_scene.hpp"
 #include "host/scene/check/poly_scene.hpp"
+#include "host/scene/check/problems.hpp"
 #include "host/scene/generate/scene.hpp"
 #include "host/scene/heights/grid_formats.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
@@ -68,8 +69,13 @@ void take_polyhedra(base::Result<PolyImport> import, SceneReading& reading) {
   }
   reading.loaded.scene = std::move(import->scene);
   reading.loaded.report = std::move(import->report);
-  // What was mended is in order: tests check that.
-  if (!reading.loaded.report.mended) reading.errors = check_poly_scene(reading.loaded.scene);
+  reading.errors = std::move(import->faults);
+}
+
+// A scene that no mesh was imported for.
+void take_unchanged(PolyScene scene, SceneReading& reading) {
+  take_polyhedra(import_unchanged(std::move(scene)), reading);
+  reading.errors = check_poly_scene(reading.loaded.scene);
 }
 
 void take_complex(CheckedCellComplex complex, SceneReading& reading) {
@@ -108,7 +114,7 @@ void read_json(const SceneFile& file, SceneReading& reading) {
   } else if (is_poly_document(*document)) {
     auto scene = poly_scene_of(*document, file.name);
     if (scene) {
-      take_polyhedra(import_unchanged(std::move(*scene)), reading);
+      take_unchanged(std::move(*scene), reading);
     } else {
       take_polyhedra(std::move(scene.error()), reading);
     }
@@ -148,7 +154,7 @@ SceneReading read_scene(SceneFile file, const PolyImportOptions& options) {
   file.text.erase(0, file.text.size() - base::without_byte_order_mark(file.text).size());
   const PolyFormat format = poly_format_of(file.name, file.text);
   if (file.generated) {
-    take_polyhedra(import_unchanged(std::move(*file.generated)), reading);
+    take_unchanged(std::move(*file.generated), reading);
   } else if (base::begins_as_utf_16(file.text) && !begins_as_binary_stl(file.text)) {
     if (format == PolyFormat::json) reading.loaded.kind = SceneKind::cells;
     reading.errors.push_back({file.name, "", "found a text in UTF-16", "UTF-8 or ASCII", "save it as UTF-8"});
@@ -169,11 +175,8 @@ SceneReading read_scene(SceneFile file, const PolyImportOptions& options) {
 
 base::Result<LoadedScene> scene_or_error(SceneReading reading) {
   if (reading.errors.empty()) return std::move(reading.loaded);
-  base::Error first = std::move(reading.errors.front());
   // The errors of a cell decomposition follow from each other more often than not.
-  if (reading.errors.size() > 1 && reading.loaded.kind != SceneKind::cell_complex)
-    first.found += " (the first of " + std::to_string(reading.errors.size()) + " errors)";
-  return first;
+  return reading.loaded.kind == SceneKind::cell_complex ? std::move(reading.errors.front()) : first_of(reading.errors);
 }
 
 base::Result<LoadedScene> load_scene(SceneFile file, const PolyImportOptions& options) {

@@ -52,7 +52,8 @@ struct LoadedScene {
 [[nodiscard]] std::optional<CellComplex> own_cells(const LoadedScene& loaded);
 
 struct SceneReading {
-  LoadedScene loaded;  // complete if there are no errors; the name and the kind are known always
+  // Complete if there are no errors; the name and the kind are known always, and of a mesh what mending makes of it.
+  LoadedScene loaded;
   std::vector<base::Error>
       errors;  // all that a check names: see check_scene, check_poly_scene, check_complex
 };

@@ -11,6 +11,7 @@
 #include "host/base/number.hpp"
 #include "host/base/result.hpp"
 #include "host/base/text.hpp"
+#include "host/scene/check/problems.hpp"
 #include "host/scene/model/file_units.hpp"
 #include "host/scene/read/gltf.hpp"
 #include "host/scene/read/obj.hpp"
@@ -340,7 +341,9 @@ base::Result<PolyImport> read_poly(std::string_view text, std::string_view sourc
   }
   auto mesh = read_mesh(text, source, format, options.folder);
   if (!mesh) return std::move(mesh.error());
-  return import_poly(std::move(*mesh), options);
+  auto import = import_poly(std::move(*mesh), options);
+  if (import && !import->faults.empty()) return first_of(import->faults);
+  return import;
 }
 
 base::Result<std::string> write_poly(const PolyScene& scene, PolyFormat format) {

@@ -25,7 +25,7 @@ inline constexpr std::string_view poly_endings = ".json, .off, .obj, .stl or .pl
 // By what the text begins with; if that says nothing, as above; else JSON.
 [[nodiscard]] PolyFormat poly_format_of(std::string_view file, std::string_view text);
 
-// The scene is not checked. JSON is not quantised, nor repaired.
+// A fault of a mesh is an error unless it is mended. JSON is not quantised, repaired or checked.
 [[nodiscard]] base::Result<PolyImport> read_poly(std::string_view text, std::string_view source,
                                                  PolyFormat format, const PolyImportOptions& options = {});
 

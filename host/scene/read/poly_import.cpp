@@ -4,18 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
-#include <unordered_map>
 
 #include "host/base/result.hpp"
 #include "host/geometry/box_tree.hpp"
-#include "host/geometry/predicates.hpp"
 #include "host/geometry/vector.hpp"
-#include "host/scene/check/poly_shells.hpp"
 #include "host/scene/model/aim_camera.hpp"
 #include "host/scene/model/file_units.hpp"
-#include "host/scene/model/index_set.hpp"
 #include "host/scene/read/open_vertices.hpp"
 #include "host/scene/read/poly_mend.hpp"
 #include "host/scene/read/poly_planes.hpp"
@@ -27,14 +22,11 @@ namespace {
 
 constexpr VertexIndex no_point = std::numeric_limits<VertexIndex>::max();
 
-using Triangles = std::vector<std::array<VertexIndex, 3>>;
-
 class Import {
  public:
   Import(PolyMesh mesh, const PolyImportOptions& options) : mesh_(std::move(mesh)), options_(options) {}
 
   base::Result<PolyImport> run() {
-    if (mesh_.flaw && !options_.mend) return *mesh_.flaw;
     report().vertical = mesh_.vertical;
     report().unit = mesh_.unit.empty() ? options_.unit : std::move(mesh_.unit);
     report().notes = std::move(mesh_.notes);
@@ -45,14 +37,8 @@ class Import {
     scene().name = std::move(mesh_.name);
     scene().bodies = std::move(mesh_.bodies);
     scene().wires = std::move(mesh_.wires);
-    if (options_.mend) {
-      divide_faces_with_holes();
-      if (error_) return *error_;
-      mend_faces();
-    } else {
-      keep_faces();
-    }
-    if (error_) return *error_;
+    if (auto error = divide_faces_with_holes()) return std::move(*error);
+    if (auto error = mend_faces()) return std::move(*error);
     if (!options_.watch.go_on(0.9)) return base::cancelled();
     scene().camera = default_poly_camera(scene());
     if (report().vertical && *report().vertical != 1)
@@ -139,13 +125,11 @@ class Import {
     size_ = 2 * static_cast<double>(bounds_of(scene()).half_size()) * report().step;
   }
 
-  // --- mending
-
   // Into triangles: faces that are mended have no holes.
-  void divide_faces_with_holes() {
+  std::optional<base::Error> divide_faces_with_holes() {
     const auto has_holes = [](const PolyFace& face) { return !face.holes.empty(); };
     const auto is_whole = [&](const PolyBody& body) { return std::none_of(body.faces.begin(), body.faces.end(), has_holes); };
-    if (std::all_of(scene().bodies.begin(), scene().bodies.end(), is_whole)) return;
+    if (std::all_of(scene().bodies.begin(), scene().bodies.end(), is_whole)) return std::nullopt;
     std::vector<std::uint32_t> sources;  // of each face now
     std::uint32_t number = 0;
     for (std::size_t b = 0; b < scene().bodies.size(); ++b) {
@@ -159,10 +143,9 @@ class Import {
         }
         const auto triangles = triangulate(scene().vertices, face);
         if (!triangles) {
-          error_ = base::Error{mesh_.source, "body " + std::to_string(b) + ", face " + std::to_string(f), "cannot be divided into triangles",
-                               "holes inside the outline that cross neither it nor each other, and at most " +
-                                   std::to_string(most_split_vertices_with_holes) + " vertices"};
-          return;
+          return base::Error{mesh_.source, "body " + std::to_string(b) + ", face " + std::to_string(f), "cannot be divided into triangles",
+                             "holes inside the outline that cross neither it nor each other, and at most " +
+                                 std::to_string(most_split_vertices_with_holes) + " vertices"};
         }
         for (const auto& t : *triangles) {
           divided.push_back({{t[0], t[1], t[2]}, {}});
@@ -178,42 +161,44 @@ class Import {
     }
     for (std::uint32_t& source : sources) source = face_in_file(source);
     face_in_file_ = std::move(sources);
+    return std::nullopt;
   }
 
-  void mend_faces() {
+  std::optional<base::Error> mend_faces() {
     FileFaces file{mesh_.vertices, {}};
     file.starts.reserve(face_count(scene()) + 1);
     for (const PolyBody& body : scene().bodies)
       for (const PolyFace& face : body.faces) file.add(face.outline);
     std::vector<std::size_t> body_sizes;
     for (const PolyBody& body : scene().bodies) body_sizes.push_back(body.faces.size());
-    const MendResult mended = mend(scene(), file, mend_options(options_.weld), faces());
+    MendResult mended = mend(scene(), file, mend_options(options_.weld), faces());
     faces().largest_deviation *= report().step;
     faces().first_crossing = face_in_file(faces().first_crossing);
     name_origins(mended);
-    report().mended = true;
-    if (mended.faces.empty() && !scene().wires.empty()) return;
-    if (mended.faces.empty()) {
-      if (file.size() == 0) {
-        error_ = mesh_.flaw.value_or(
-            base::Error{mesh_.source, "", "found no faces", "a mesh", "points alone make no drawing"});
-        return;
-      }
-      error_ = base::Error{mesh_.source, "", "no face with an area is left of " + std::to_string(file.size()),
-                           "a mesh", "--strict names what is wrong with each"};
-      return;
+    if (mesh_.flaw && !options_.mend) mended.faults = {*mesh_.flaw};
+    for (base::Error& fault : mended.faults) fault.file = mesh_.source;
+    result_.faults = std::move(mended.faults);
+    if (mended.faces.empty() && scene().wires.empty()) {
+      if (!result_.faults.empty() && !mesh_.flaw && file.size() > 0) return std::nullopt;
+      if (file.size() == 0)
+        return mesh_.flaw.value_or(base::Error{mesh_.source, "", "found no faces", "a mesh", "points alone make no drawing"});
+      return base::Error{mesh_.source, "", "no face with an area is left of " + std::to_string(file.size()),
+                         "a mesh", options_.mend ? "--strict names what is wrong with each" : ""};
     }
-    if (!options_.watch.go_on(0.7)) return;
+    report().mended = options_.mend || !result_.faults.empty();
+    if (mended.faces.empty()) return std::nullopt;
+    if (!options_.watch.go_on(0.7)) return base::cancelled();
     suggest_weld(file, body_sizes);
     // Numbers so short that this would be much of the mesh are meant as they are: a bevel of 0.2 is none of their errors.
     const double much = 2 * static_cast<double>(bounds_of(scene()).half_size()) * report().step / 1000;
     const double tolerance = options_.planar_tolerance.value_or(std::max(std::min(4 * mesh_.precision, much), options_.weld));
     find_surfaces(scene(), mended, file, std::max(tolerance, least_tolerance()));
     if (report().quantised && !scene().wires.empty()) find_surfaces_of_wires();
-    if (mesh_.materials.empty()) return;
+    if (mesh_.materials.empty()) return std::nullopt;
     scene().materials_are_colours = mesh_.materials_are_colours;
     scene().material_of.reserve(mended.faces.size());
     for (const MendedFace& face : mended.faces) scene().material_of.push_back(mesh_.materials[face.source]);
+    return std::nullopt;
   }
 
   void name_origins(const MendResult& mended) {
@@ -285,7 +270,8 @@ class Import {
             .grouped = mesh_.grouped,
             .step = result_.report.step,
             .rounded = result_.report.largest_shift > 0,
-            .tolerance = std::max(whole ? 2 : 2 * mesh_.precision, least_tolerance())};
+            .tolerance = std::max(whole ? 2 : 2 * mesh_.precision, least_tolerance()),
+            .name_faults = !options_.mend && !mesh_.flaw};
   }
 
   // What double coordinates leave uncertain of a plane.
@@ -359,169 +345,6 @@ class Import {
     return scene;
   }
 
-  // --- without mending
-
-  void keep_faces() {
-    if (report().quantised) {
-      merge_vertices();
-      tidy_wires(scene().wires, faces());
-      const std::vector<bool> used = used_vertices();
-      drop_faces();
-      drop_unused(used);
-    }
-    if (report().quantised && !split_faces()) return;
-    if (!mesh_.grouped) separate();
-    for (PolyBody& body : scene().bodies) {
-      body.sheet = body.faces.empty() || !is_closed(face_edges(body));
-      faces().sheets += body.sheet ? 1U : 0U;
-    }
-  }
-
-  // Of equal vertices those that were different before become one.
-  void merge_vertices() {
-    const auto& points = scene().vertices;
-    if (all_differ(points)) return;
-    std::vector<VertexIndex> order(points.size());
-    std::iota(order.begin(), order.end(), VertexIndex{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](VertexIndex a, VertexIndex b) { return points[a] < points[b]; });
-    std::vector<VertexIndex> target(points.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const VertexIndex v = order[i];
-      target[v] = v;
-      if (i == 0) continue;
-      const VertexIndex first = target[order[i - 1]];
-      if (points[first] != points[v]) continue;
-      if (mesh_.vertices[first] != mesh_.vertices[v]) target[v] = first;
-    }
-    std::vector<bool> keep(points.size());
-    for (std::size_t v = 0; v < keep.size(); ++v) keep[v] = target[v] == v;
-    faces().merged_vertices = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), false));
-    if (faces().merged_vertices > 0) renumber(keep, target);
-  }
-
-  // Leaves out vertices; `target` is the replacement of each of them.
-  void renumber(const std::vector<bool>& keep, const std::vector<VertexIndex>& target) {
-    std::vector<VertexIndex> number(keep.size());
-    VertexIndex count = 0;
-    for (std::size_t v = 0; v < keep.size(); ++v) {
-      number[v] = count;
-      if (!keep[v]) continue;
-      scene().vertices[count++] = scene().vertices[v];
-    }
-    scene().vertices.resize(count);
-    const auto apply = [&](Ring& ring) {
-      for (VertexIndex& v : ring) v = number[target[v]];
-    };
-    for (PolyBody& body : scene().bodies) {
-      for (PolyFace& face : body.faces) {
-        apply(face.outline);
-        for (Ring& hole : face.holes) apply(hole);
-      }
-    }
-    for (PolyWire& wire : scene().wires)
-      for (VertexIndex& v : wire) v = number[target[v]];
-  }
-
-  // Rings lose vertices that follow themselves, bodies faces that lost their area.
-  void drop_faces() {
-    for (PolyBody& body : scene().bodies) {
-      for (PolyFace& face : body.faces) {
-        Ring& ring = face.outline;
-        ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
-        while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
-      }
-      const auto flat = [&](const PolyFace& face) {
-        return face.outline.size() < 3 || geometry::is_zero(ring_normal(scene().vertices, face.outline));
-      };
-      const auto end = std::remove_if(body.faces.begin(), body.faces.end(), flat);
-      faces().dropped_faces += static_cast<std::size_t>(body.faces.end() - end);
-      body.faces.erase(end, body.faces.end());
-    }
-    auto& bodies = scene().bodies;
-    bodies.erase(
-        std::remove_if(bodies.begin(), bodies.end(), [](const PolyBody& b) { return b.faces.empty(); }),
-        bodies.end());
-  }
-
-  // The largest distance of a vertex from the plane through the first one with the ring's mean direction, in
-  // steps.
-  [[nodiscard]] double deviation(const Ring& ring) {
-    const auto normal = ring_normal(scene().vertices, ring);
-    geometry::Int128 most = 0;
-    for (const VertexIndex v : ring) {
-      const auto height =
-          geometry::wide_dot(normal, geometry::difference(scene().vertices[v], scene().vertices[ring[0]]));
-      most = std::max(most, height < 0 ? -height : height);
-    }
-    double length = 0;
-    for (const std::int64_t c : normal) length += static_cast<double>(c) * static_cast<double>(c);
-    return static_cast<double>(most) / std::sqrt(length);
-  }
-
-  bool split_faces() {
-    for (std::size_t b = 0; b < scene().bodies.size(); ++b) {
-      std::vector<PolyFace> planar;
-      for (std::size_t f = 0; f < scene().bodies[b].faces.size(); ++f) {
-        PolyFace& face = scene().bodies[b].faces[f];
-        const double height = face.outline.size() > 3 ? deviation(face.outline) : 0.0;
-        if (height == 0.0) {
-          planar.push_back(std::move(face));
-          continue;
-        }
-        const auto triangles = triangulate(scene().vertices, face);
-        if (!triangles) {
-          error_ = base::Error{mesh_.source, "body " + std::to_string(b) + ", face " + std::to_string(f),
-                               "is not planar and cannot be split into triangles along its vertices"};
-          return false;
-        }
-        ++faces().split_faces;
-        faces().largest_deviation = std::max(faces().largest_deviation, height * report().step);
-        for (const auto& t : *triangles) planar.push_back({{t[0], t[1], t[2]}, {}});
-      }
-      scene().bodies[b].faces = std::move(planar);
-    }
-    return true;
-  }
-
-  // Parts connected by edges become bodies of their own, cavities those of the body around them.
-  void separate() {
-    std::vector<PolyBody> parts;
-    for (PolyBody& body : scene().bodies) {
-      const auto part_of = connected_faces(body, face_edges(body));
-      const std::size_t first = parts.size();
-      for (std::size_t f = 0; f < body.faces.size(); ++f) {
-        if (first + part_of[f] == parts.size()) parts.emplace_back().name = body.name;
-        parts[first + part_of[f]].faces.push_back(std::move(body.faces[f]));
-      }
-    }
-    scene().bodies = std::move(parts);
-    join_cavities(scene().vertices, scene().bodies);
-  }
-
-  [[nodiscard]] std::vector<bool> used_vertices() {
-    std::vector<bool> used(scene().vertices.size(), false);
-    for (const PolyBody& body : scene().bodies) {
-      for (const PolyFace& face : body.faces) {
-        for (const VertexIndex v : face.outline) used[v] = true;
-        for (const Ring& hole : face.holes)
-          for (const VertexIndex v : hole) used[v] = true;
-      }
-    }
-    for (const PolyWire& wire : scene().wires) used[wire[0]] = used[wire[1]] = true;
-    return used;
-  }
-
-  // Those that were used before the faces around them were left out.
-  void drop_unused(const std::vector<bool>& used_before) {
-    std::vector<bool> keep = used_vertices();
-    for (std::size_t v = 0; v < keep.size(); ++v) keep[v] = keep[v] || !used_before[v];
-    std::vector<VertexIndex> target(keep.size());
-    std::iota(target.begin(), target.end(), VertexIndex{0});
-    faces().dropped_vertices = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), false));
-    if (faces().dropped_vertices > 0) renumber(keep, target);
-  }
-
   PolyMesh mesh_;  // its vertices less the origin, once they are on the grid
   double reach_ = 0;  // the largest coordinate of the file
   double size_ = 0;   // the largest side of its bounds
@@ -529,7 +352,6 @@ class Import {
   std::vector<std::uint32_t> vertex_in_file_;  // of each vertex, if some were left out
   PolyImportOptions options_;
   PolyImport result_;
-  std::optional<base::Error> error_;
 };
 
 }  // namespace

@@ -11,13 +11,9 @@
 // makes the step longer, and an eye between the points of a file of integers makes it shorter
 // (PolyImportOptions::eye).
 //
-// What then happens to the faces is one of two things. Mending: poly_mend.hpp, and what lies in one plane is
-// found (poly_planes.hpp); a wire of a rounded file is in such a plane if its ends are, within two steps and a ten-thousandth
-// of the scene's size. Without it, of a rounded file: vertices that were different and fell together become
-// one; faces that lost their area are left out; faces of four and more vertices that are no longer planar are
-// split into triangles along their own vertices. Triangles are always planar. All of it is counted; damage that
-// was in the file before (equal or unused vertices, faces turned the wrong way) stays for check_poly_scene to
-// name.
+// Then the faces are mended (poly_mend.hpp), and what lies in one plane is found (poly_planes.hpp); a wire of a rounded file is in
+// such a plane if its ends are, within two steps and a ten-thousandth of the scene's size. Without PolyImportOptions::mend, the same
+// is done, and what of it was not due to rounding alone is named as a fault of the file.
 #pragma once
 
 #include <array>
@@ -41,7 +37,7 @@ struct PolyMesh {
   std::string name;
   std::vector<std::array<double, 3>> vertices;  // finite, unless there is a flaw
   std::vector<PolyBody> bodies;                 // sheet is not used; every index is below vertices.size()
-  bool grouped = false;  // the bodies are the file's; if not, connected parts become bodies (join_cavities)
+  bool grouped = false;  // the bodies are the file's; if not, connected parts become bodies
   // The distance of neighbouring numbers that the file can hold where its coordinates are largest: of float32,
   // or of the last decimal written. 0: not known, and faces are planar or not by their rounded vertices.
   double precision = 0;
@@ -54,12 +50,12 @@ struct PolyMesh {
   std::vector<std::string> notes;       // what was passed over, a phrase each: "3 statements \"s\""
   std::vector<PolyWire> wires;          // every index is below vertices.size()
   // The first coordinate that is no finite number, or face of fewer than three vertices. Mending leaves out all these
-  // faces; otherwise, or if no other face is left, this is the error.
+  // faces; if no other face is left, this is the error.
   std::optional<base::Error> flaw;
 };
 
 struct PolyImportOptions {
-  bool mend = false;
+  bool mend = false;  // if not, a mesh that has to be mended is an error
   double weld = 0;  // mending, vertices at most so far apart become one; in the unit of the file
   // Mending, how far a vertex may be from the plane of a surface, in the unit of the file; by default four
   // times PolyMesh::precision, or `weld` if that is more.
@@ -74,8 +70,8 @@ struct PolyImportReport {
   bool quantised = false;
   double step = 1;
   double largest_shift = 0;  // how far a coordinate was moved by rounding, in the file's unit
-  bool mended = false;
-  MendReport faces = {};                  // also without mending, as far as something was changed
+  bool mended = false;  // more than rounding may have changed the faces
+  MendReport faces = {};
   std::optional<std::size_t> vertical = {};  // as the format says; 0, 1, 2 = x, y, z
   std::string unit = {};                  // as the format says, or else PolyImportOptions::unit
   std::vector<std::string> notes = {};    // what of the file was passed over, a phrase each
@@ -84,10 +80,12 @@ struct PolyImportReport {
 struct PolyImport {
   PolyScene scene;  // looked at by default_poly_camera
   PolyImportReport report;
+  // Without PolyImportOptions::mend: MendResult::faults, or PolyMesh::flaw. A caller has to reject a mesh with faults; its scene is what
+  // mending makes of it, and has no faces if none is left.
+  std::vector<base::Error> faults = {};
 };
 
-// An error for a file whose faces cannot be split, naming body and face; mending, for one of which no face is
-// left. A scene that was not mended is not checked.
+// An error for a file of which no face is left. A scene without faults passes check_poly_scene.
 [[nodiscard]] base::Result<PolyImport> import_poly(PolyMesh mesh, const PolyImportOptions& options = {});
 
 // From above, right and in front (y is up), outside of the scene; orthographic if no such point keeps below

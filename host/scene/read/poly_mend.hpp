@@ -30,6 +30,7 @@
 #include <span>
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::scene {
@@ -56,6 +57,7 @@ struct MendOptions {
   double step = 1;         // of the grid, in the unit of the file
   bool rounded = false;    // coordinates of the file are not all on the grid
   double tolerance = 0;    // how far a vertex may be from an edge that it is on, in the unit of the file
+  bool name_faults = false;
 };
 
 struct MendReport {
@@ -91,6 +93,10 @@ struct MendResult {
   // Faces of the file that have an edge of the scene in common that no third face has, both in one body; in the order of the edges. A
   // face that was divided may be beside itself.
   std::vector<std::array<std::uint32_t, 2>> neighbours;
+  // With name_faults: what is wrong with the file (at most most_scene_errors), named by body, face and vertex of the file from 0.
+  // Empty if nothing was changed but by rounding: what became equal, lost its area or is no longer planar, and cracks no
+  // wider than a step.
+  std::vector<base::Error> faults = {};
 };
 
 // Of a scene of vertices and bodies without holes, indices in range and coordinates within the limit, nothing

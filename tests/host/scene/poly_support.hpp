@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "host/base/result.hpp"
 #include "host/scene/check/poly_scene.hpp"
@@ -21,6 +22,17 @@ inline PolyImport read(std::string_view text, PolyFormat format, bool mend = fal
     return {};
   }
   return *result;
+}
+
+// What is wrong with the file of a mesh.
+inline std::string faults(std::string_view text, PolyFormat format) {
+  auto mesh = read_mesh(text, "test", format, "");
+  if (!mesh) return mesh.error().message();
+  const auto import = import_poly(std::move(*mesh));
+  if (!import) return import.error().message();
+  std::string all;
+  for (const base::Error& error : import->faults) all += error.message() + "\n";
+  return all;
 }
 
 inline std::string scene_text(const PolyScene& scene, PolyFormat format) {

@@ -134,22 +134,22 @@ TEST(Quantise, FacesThatAreNoLongerPlanarBecomeTriangles) {
 }
 
 TEST(Quantise, CoincidentPointsAreMerged) {
-  const PolyImport import =
-      read("OFF\n5 2 0\n0 0 0\n100000.7 0 0\n0 100000.7 0\n0 0 0.000001\n7 7 7\n3 0 1 2\n3 0 1 3\n",
-           PolyFormat::off);
+  const std::string text = "OFF\n4 2 0\n0 0 0\n100000.7 0 0\n0 100000.7 0\n0 0 0.000001\n3 0 1 2\n3 0 1 3\n";
+  const PolyImport import = read(text, PolyFormat::off);
   EXPECT_EQ(import.report.faces.merged_vertices, 1U);
   EXPECT_EQ(import.report.faces.dropped_faces, 1U);
   // Errors of the file itself are not hidden.
-  EXPECT_EQ(problems(import.scene), "vertex 3: is not used by any face\n");
+  EXPECT_EQ(faults("OFF\n5 2 0\n0 0 0\n100000.7 0 0\n0 100000.7 0\n7 7 7\n0 0 0.000001\n3 0 1 2\n3 0 1 4\n", PolyFormat::off),
+            "test: vertex 3: is not used by any face\n");
 }
 
 TEST(Mend, MergesEqualVerticesDropsUnusedOnesAndTurnsBodies) {
   const std::string text =
       "OFF\n6 4 0\n0 0 0\n10 0 0\n0 10 0\n0 0 10\n10 0 0\n99 99 99\n"
       "3 1 2 0\n3 3 4 0\n3 3 2 1\n3 3 0 2\n";  // all four inside out
-  const PolyImport as_it_is = read(text, PolyFormat::off);
-  EXPECT_EQ(problems(as_it_is.scene),
-            "vertex 5: is not used by any face\nvertex 4: is the same point (10, 0, 0) as vertex 1\n");
+  EXPECT_EQ(faults(text, PolyFormat::off),
+            "test: vertex 5: is not used by any face\ntest: vertex 4: is the same point (10, 0, 0) as vertex 1\n"
+            "test: body 0, face 0: is part of a surface turned inside out, expected outlines counterclockwise from outside\n");
   const PolyImport mended = read(text, PolyFormat::off, true);
   EXPECT_EQ(problems(mended.scene), "");
   EXPECT_EQ(mended.report.faces.merged_vertices, 1U);

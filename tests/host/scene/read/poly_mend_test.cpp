@@ -67,6 +67,108 @@ TEST(PolyMend, WiresRemainEvenWithoutFaces) {
   EXPECT_EQ(import.report.faces.dropped_faces, 1U);
 }
 
+std::vector<std::string> faults_of(PolyMesh mesh) {
+  const auto import = import_poly(std::move(mesh));
+  EXPECT_TRUE(import) << import.error().message();
+  std::vector<std::string> texts;
+  if (import)
+    for (const base::Error& fault : import->faults) texts.push_back(fault.message());
+  return texts;
+}
+
+// Each kind of change that is not made without mending, by its place in the file.
+TEST(PolyMend, FaultsOfTheFileAreNamed) {
+  const auto cube_with = [](const Faces& more) {
+    Faces faces = cube_faces;
+    faces.insert(faces.end(), more.begin(), more.end());
+    return mesh_of(cube_corners, faces);
+  };
+  EXPECT_EQ(faults_of(mesh_of(cube_corners, cube_faces)), std::vector<std::string>{});
+  Faces turned = cube_faces;
+  std::reverse(turned[1].begin(), turned[1].end());
+  EXPECT_EQ(faults_of(mesh_of(cube_corners, turned))[0],
+            "m: body 0, face 1: edge 4-5 is passed in the same direction by face 2, expected opposite directions");
+  for (auto& face : turned) std::reverse(face.begin(), face.end());
+  std::reverse(turned[1].begin(), turned[1].end());
+  EXPECT_EQ(faults_of(mesh_of(cube_corners, turned)),
+            (std::vector<std::string>{
+                "m: body 0, face 0: is part of a surface turned inside out, expected outlines counterclockwise from outside"}));
+  EXPECT_EQ(faults_of(cube_with({{4, 5, 6, 7}})), (std::vector<std::string>{"m: body 0, face 6: has the same vertices as face 1"}));
+  EXPECT_EQ(faults_of(cube_with({{0, 1, 1, 2}})),
+            (std::vector<std::string>{"m: body 0, face 6: the outline has vertex 1 (8, 0, 0) twice in succession"}));
+  // Two solids, one in the other, both facing outwards.
+  auto points = cube_corners;
+  Faces nested = cube_faces;
+  for (const auto& p : cube_corners) points.push_back({p[0] / 2 + 2, p[1] / 2 + 2, p[2] / 2 + 2});
+  for (auto face : cube_faces) {
+    for (VertexIndex& v : face) v += 8;
+    nested.push_back(face);
+  }
+  EXPECT_EQ(faults_of(mesh_of(points, nested)),
+            (std::vector<std::string>{
+                "m: body 0, face 6: is part of a surface inside a solid, expected outlines clockwise from outside: a cavity"}));
+  // Triangles without an area and that are one pillow, and a square whose corner is a unit too high.
+  EXPECT_EQ(faults_of(mesh_of({{0, 0, 0}, {4, 0, 0}, {8, 0, 0}, {0, 8, 0}, {9, 9, 0}, {9, 9, 4}, {8, 0, 4}, {0, 0, 1}, {4, 0, 1}, {4, 4, 1}, {0, 4, 2}},
+                              {{0, 1, 2}, {2, 4, 5}, {5, 4, 2}, {7, 8, 9, 10}, {0, 6, 3}})),
+            (std::vector<std::string>{"m: body 0, face 0: all vertices are on one line, expected an area",
+                                      "m: body 0, face 3: vertex 10 (0, 4, 2) is not in the plane of vertices 7, 8 and 9",
+                                      "m: body 0, face 2: has the same vertices as face 1"}));
+}
+
+// A triangle beside two others whose common corner is on its side.
+TEST(PolyMend, AVertexOnAnEdgeIsAFault) {
+  EXPECT_EQ(faults_of(mesh_of({{0, 0, 0}, {2000, 0, 0}, {1000, 900, 0}, {1000, 0, 0}, {0, -900, 0}}, {{0, 1, 2}, {0, 4, 3}, {3, 4, 1}})),
+            (std::vector<std::string>{"m: body 0, face 0: edge 0-1 passes vertex 3, expected a corner of the face there"}));
+}
+
+// Vertices that fall together, a face that becomes a line, and a square that no longer has a plane; all on a step of 2^-15.
+TEST(PolyMend, WhatRoundingDidIsNoFault) {
+  const double least = 1e-7;
+  const PolyMesh mesh = mesh_of({{0, 0, 0}, {3.3, 0, 0}, {3.3, 3.3, least}, {0, 3.3, 0.1}, {3.3, least, 0}, {5, 0, 0}, {3.3, 0, 1}},
+                                {{0, 1, 2, 3}, {1, 5, 4}, {4, 5, 6}});
+  EXPECT_EQ(faults_of(mesh), std::vector<std::string>{});
+  const auto strict = import_poly(mesh);
+  ASSERT_TRUE(strict) << strict.error().message();
+  EXPECT_EQ(strict->scene, mend_mesh(mesh).scene);
+  EXPECT_EQ(strict->report.faces.dropped_faces, 1U);
+  EXPECT_EQ(strict->report.faces.split_faces, 1U);
+}
+
+// Cubes with random faces between their corners and other points, on whole coordinates: a mesh has faults if, and only if, mending
+// changes it. No outline comes back to a vertex, which is a fault but not counted.
+TEST(PolyMend, WithoutFaultsNothingIsChanged) {
+  std::mt19937 random(11);
+  std::size_t faulty = 0;
+  constexpr std::size_t rounds = 600;
+  for (std::size_t round = 0; round < rounds; ++round) {
+    auto points = cube_corners;
+    Faces faces = cube_faces;
+    for (std::size_t more = random() % 3; more > 0; --more) {
+      Faces::value_type face;
+      while (face.size() < 3 + random() % 3) {
+        const VertexIndex v = static_cast<VertexIndex>(random() % (points.size() + 1));
+        if (v == points.size()) points.push_back({4, round % 2 == 0 ? 4.0 : 0.0, static_cast<double>(random() % 3) * 8});
+        if (std::find(face.begin(), face.end(), v) == face.end()) face.push_back(v);
+      }
+      if (random() % 2 == 0) faces.push_back(face);
+      else faces[random() % 6] = face;
+    }
+    const PolyMesh mesh = mesh_of(points, faces);
+    const auto strict = import_poly(mesh);
+    if (!strict) continue;  // no face is left
+    PolyImport mended = mend_mesh(mesh);
+    const MendReport& report = mended.report.faces;
+    const bool changed = report.merged_vertices + report.divided_edges + report.dropped_vertices + report.dropped_faces + report.duplicate_faces +
+                             report.split_faces + report.turned_faces + report.crossing_faces >
+                         0;
+    EXPECT_EQ(!strict->faults.empty(), changed) << round << (strict->faults.empty() ? "" : strict->faults[0].message());
+    EXPECT_EQ(strict->scene, mended.scene);
+    faulty += changed ? 1U : 0U;
+  }
+  EXPECT_GT(faulty, rounds / 4);
+  EXPECT_LT(faulty, rounds);
+}
+
 TEST(PolyMend, ValidMeshesAreUnchanged) {
   const PolyImport cube = mend_mesh(mesh_of(cube_corners, cube_faces));
   const MendReport& report = cube.report.faces;
