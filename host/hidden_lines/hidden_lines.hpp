@@ -142,8 +142,8 @@ struct DrawnPart {
   geometry::Rational low;
   geometry::Rational high;
   bool hidden = false;
-  // Of a hidden part, a face that hides it: a number in the file from 0. no_number: the part is behind the eye, or its own solid hides
-  // the edge.
+  // Of a hidden part, a face that hides it: a number in the file from 0. no_number: the part is behind the eye, or its own surface
+  // hides it.
   std::uint32_t hidden_by = no_number;
 };
 
