@@ -90,7 +90,8 @@ class ProofListener : public NoListener {
     for (std::uint32_t i = 0; i < log.size(); ++i)
       if (((log[i].left && left) || (log[i].right && right)) && less(log[i].interval.low, log[i].interval.high)) order_.push_back(i);
     const auto low = [&](std::size_t i) -> const auto& { return log[order_[i]].interval.low; };
-    std::stable_sort(order_.begin(), order_.end(), [&log](std::uint32_t a, std::uint32_t b) { return less(log[a].interval.low, log[b].interval.low); });
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&log](std::uint32_t a, std::uint32_t b) { return less(log[a].interval.low, log[b].interval.low); });
     std::vector<Witness> witnesses;
     for (std::size_t next = 0; next < order_.size();) {
       // An interval that begins where nothing is hidden, then those that reach farthest of all that begin in or at the
