@@ -1,10 +1,11 @@
-// A hash table of indices, and the equal points of a scene by it.
+// A hash table of indices, and equal items by it, such as the points of a scene.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "host/base/threads.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::scene {
@@ -47,18 +48,30 @@ class IndexSet {
   std::vector<Place> places_;
 };
 
+// For each of the items 0 to `count` - 1 the first one that is the same, which may be itself. Items that are the same have the same key.
+// Each of `jobs` threads has the items of some keys.
+template <class KeyOf, class Same>
+[[nodiscard]] std::vector<std::uint32_t> first_of_same(std::size_t count, KeyOf key_of, Same same, unsigned jobs) {
+  std::vector<std::uint32_t> first(count);
+  base::for_parts(jobs, jobs, [&](std::size_t part, std::size_t, std::size_t) {
+    const auto is_mine = [&](std::uint64_t key) { return jobs == 1 || (spread(key) >> 40U) % jobs == part; };
+    std::size_t mine = 0;
+    for (std::uint32_t i = 0; i < count; ++i) mine += is_mine(key_of(i)) ? 1U : 0U;
+    IndexSet indices(mine);
+    for (std::uint32_t i = 0; i < count; ++i)
+      if (const std::uint64_t key = key_of(i); is_mine(key)) first[i] = indices.find_or_add(key, i, [&](std::uint32_t other) { return same(i, other); });
+  });
+  return first;
+}
+
 // For each point the first one that is equal to it, which may be itself.
-[[nodiscard]] inline std::vector<VertexIndex> equal_points(const std::vector<PolyPoint>& points) {
+[[nodiscard]] inline std::vector<VertexIndex> equal_points(const std::vector<PolyPoint>& points, unsigned jobs = 1) {
   const auto key_of = [&points](VertexIndex v) {
     std::uint64_t key = 0;
     for (const std::int32_t c : points[v]) key = key << 20U | static_cast<std::uint32_t>(c + poly_coordinate_limit);
     return key;
   };
-  IndexSet numbers(points.size());
-  std::vector<VertexIndex> target(points.size());
-  for (VertexIndex v = 0; v < points.size(); ++v)
-    target[v] = numbers.find_or_add(key_of(v), v, [&](VertexIndex w) { return points[w] == points[v]; });
-  return target;
+  return first_of_same(points.size(), key_of, [&points](VertexIndex v, VertexIndex w) { return points[v] == points[w]; }, jobs);
 }
 
 [[nodiscard]] inline bool all_differ(const std::vector<PolyPoint>& points) {

@@ -66,6 +66,7 @@ struct PolyImportOptions {
   std::optional<std::array<double, 3>> eye = {};  // has to have a place among the scene's coordinates; finite
   std::string folder = {};  // in which the file is, for what it refers to; empty: in none
   std::string unit = {};    // of the coordinates, where the format does not say it
+  unsigned jobs = 1;        // threads; the result is the same for any number
 };
 
 struct PolyImportReport {

@@ -56,6 +56,7 @@ struct MendOptions {
   double step = 1;         // of the grid, in the unit of the file
   bool rounded = false;    // coordinates of the file are not all on the grid
   double tolerance = 0;    // how far a vertex may be from an edge that it is on, in the unit of the file
+  unsigned jobs = 1;       // threads; the result is the same for any number
 };
 
 struct MendReport {
