@@ -115,7 +115,7 @@ struct ViewOptions {
   std::optional<std::uint32_t> cut_material = {};
   picture::DrawingField field = {};        // the size of the drawing, and the part of the image that it shows
   bool strokes = false;                    // fill in Drawing::strokes
-  unsigned jobs = 1;                       // threads for a view, if the algorithm can use several; the result is the same
+  unsigned jobs = 1;                       // threads; the result is the same for any number
 };
 
 // A straight line of a drawing. Strokes do not overlap.

@@ -244,7 +244,7 @@ class Views::Work {
 
   void find_crossings() {
     if (source_.kind == scene::SceneKind::polyhedra && are_drawn(scene::crossings_of(source_.scene, 1, options_.jobs)))
-      own_scene_ = scene::with_crossings(source_.scene);
+      own_scene_ = scene::with_crossings(source_.scene, options_.jobs);
   }
 
   void choose_edges() {

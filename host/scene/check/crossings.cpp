@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -317,8 +318,8 @@ class CrossingSearch {
 
 }  // namespace
 
-PolyScene with_crossings(PolyScene scene) {
-  const std::vector<Crossing> crossings = crossings_of(scene);
+PolyScene with_crossings(PolyScene scene, unsigned jobs) {
+  const std::vector<Crossing> crossings = crossings_of(scene, std::numeric_limits<std::size_t>::max(), jobs);
   if (crossings.empty()) return scene;
   std::vector<std::uint32_t> body_of;  // of each face
   for (std::uint32_t b = 0; b < scene.bodies.size(); ++b) body_of.insert(body_of.end(), scene.bodies[b].faces.size(), b);

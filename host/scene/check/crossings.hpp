@@ -32,6 +32,6 @@ struct Crossing {
 
 // The same scene with its crossings. A body that passes through itself is a sheet in it: behind the crossing its faces may be
 // turned the wrong side out, and then those turned away from the eye are seen and hide others.
-[[nodiscard]] PolyScene with_crossings(PolyScene scene);
+[[nodiscard]] PolyScene with_crossings(PolyScene scene, unsigned jobs = 1);
 
 }  // namespace sightline::scene

@@ -29,6 +29,8 @@ class PolyLines {
   // The fields of this line that were not taken.
   [[nodiscard]] std::span<const std::string_view> rest() const { return std::span(fields_).subspan(taken_); }
   [[nodiscard]] bool at_first_field() const { return taken_ == 0; }
+  // What follows the current line, divided into parts of about equal length, each of whole lines; a part may be empty.
+  [[nodiscard]] std::vector<std::string_view> parts(std::size_t count) const;
   // Takes so many of them.
   void pass_over(std::size_t count) { taken_ += count; }
   // Error at the line last read, or at the end of the file when next() was false.
