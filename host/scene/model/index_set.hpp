@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "host/base/radix_sort.hpp"
 #include "host/base/threads.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
@@ -49,17 +50,37 @@ class IndexSet {
 };
 
 // For each of the items 0 to `count` - 1 the first one that is the same, which may be itself. Items that are the same have the same key.
-// Each of `jobs` threads has the items of some keys.
+// With `jobs` threads. Items are divided by their keys into classes of so few that the table of a class is in the cache.
 template <class KeyOf, class Same>
 [[nodiscard]] std::vector<std::uint32_t> first_of_same(std::size_t count, KeyOf key_of, Same same, unsigned jobs) {
+  struct Item {
+    std::uint64_t key = 0;
+    std::uint32_t number = 0;
+  };
+  std::vector<Item> items(count);
   std::vector<std::uint32_t> first(count);
-  base::for_parts(jobs, jobs, [&](std::size_t part, std::size_t, std::size_t) {
-    const auto is_mine = [&](std::uint64_t key) { return jobs == 1 || (spread(key) >> 40U) % jobs == part; };
-    std::size_t mine = 0;
-    for (std::uint32_t i = 0; i < count; ++i) mine += is_mine(key_of(i)) ? 1U : 0U;
-    IndexSet indices(mine);
-    for (std::uint32_t i = 0; i < count; ++i)
-      if (const std::uint64_t key = key_of(i); is_mine(key)) first[i] = indices.find_or_add(key, i, [&](std::uint32_t other) { return same(i, other); });
+  base::for_parts(jobs, count, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      first[i] = static_cast<std::uint32_t>(i);
+      items[i] = {spread(key_of(first[i])), first[i]};
+    }
+  });
+  constexpr unsigned class_bit = 56;
+  base::radix_sort(items, class_bit, 64, [](const Item& item) { return item.key; }, jobs);
+  const auto class_of = [&items](std::size_t i) { return items[i].key >> class_bit; };
+  base::for_parts(jobs, count, [&](std::size_t, std::size_t begin, std::size_t end) {
+    std::size_t i = begin;
+    while (i > 0 && i < end && class_of(i) == class_of(i - 1)) ++i;  // of a class that the part before has
+    while (i < end) {
+      std::size_t last = i;
+      while (last < count && class_of(last) == class_of(i)) ++last;
+      IndexSet numbers(last - i);
+      for (; i < last; ++i) {
+        const auto& [key, number] = items[i];
+        const std::uint32_t found = numbers.find_or_add(key, number, [&, mine = number](std::uint32_t other) { return same(mine, other); });
+        if (found != number) first[number] = found;
+      }
+    }
   });
   return first;
 }

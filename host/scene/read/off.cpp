@@ -169,34 +169,40 @@ class OffReader {
   }
 
   // By several threads, if all vertices and faces have a line of their own and nothing is wrong with any. False: nothing was read, and
-  // what is wrong has to be found from the first line on.
+  // what is wrong has to be found from the first line on. A thread reads every so many-th part, as vertices take longer than faces.
   bool read_parts(unsigned jobs) {
     if (layout_ != OffLayout::lines || !lines_.rest().empty()) return false;
-    const std::vector<std::string_view> texts = lines_.parts(jobs);
-    std::vector<std::size_t> first(jobs + 1);  // line of each part
-    base::for_parts(jobs, jobs, [&](std::size_t part, std::size_t, std::size_t) {
-      PolyLines lines(texts[part], {});
-      while (lines.next()) ++first[part + 1];
+    const std::size_t count = std::size_t{8} * jobs;
+    const std::vector<std::string_view> texts = lines_.parts(count);
+    std::vector<std::size_t> first(count + 1);  // line of each part
+    base::for_parts(jobs, jobs, [&](std::size_t job, std::size_t, std::size_t) {
+      for (std::size_t part = job; part < count; part += jobs) {
+        PolyLines lines(texts[part], {});
+        std::size_t found = 0;
+        while (lines.next()) ++found;
+        first[part + 1] = found;
+      }
     });
-    for (std::size_t part = 0; part < jobs; ++part) first[part + 1] += first[part];
-    if (first[jobs] != vertices_ + faces_) return false;
+    for (std::size_t part = 0; part < count; ++part) first[part + 1] += first[part];
+    if (first[count] != vertices_ + faces_) return false;
     std::vector<std::array<double, 3>> points(vertices_);
     std::vector<PolyFace> faces(faces_);
-    std::vector<OffReader> readers(jobs, OffReader({}, {}, layout_));
-    std::vector<std::uint8_t> good(jobs);
-    base::for_parts(jobs, jobs, [&](std::size_t part, std::size_t, std::size_t) {
-      OffReader& reader = readers[part];
-      reader.lines_ = PolyLines(texts[part], {});
-      reader.vertices_ = vertices_;
-      bool read = true;
-      for (std::size_t line = first[part]; read && line < first[part + 1]; ++line)
-        read = reader.lines_.next() && (line < vertices_ ? reader.read_vertex(points[line]) : reader.read_face(faces[line - vertices_]));
-      good[part] = read && !reader.mesh_.flaw ? 1 : 0;
+    std::vector<std::optional<OffReader>> readers(count);  // empty: something is wrong
+    base::for_parts(jobs, jobs, [&](std::size_t job, std::size_t, std::size_t) {
+      for (std::size_t part = job; part < count; part += jobs) {
+        OffReader reader(texts[part], {}, layout_);
+        reader.vertices_ = vertices_;
+        bool read = true;
+        for (std::size_t line = first[part]; read && line < first[part + 1]; ++line)
+          read = reader.lines_.next() && (line < vertices_ ? reader.read_vertex(points[line]) : reader.read_face(faces[line - vertices_]));
+        if (read && !reader.mesh_.flaw) readers[part] = std::move(reader);
+      }
     });
-    if (std::count(good.begin(), good.end(), 0) > 0) return false;
+    for (const auto& reader : readers)
+      if (!reader) return false;
     mesh_.vertices = std::move(points);
     mesh_.bodies.emplace_back().faces = std::move(faces);
-    for (const OffReader& reader : readers) take_materials(reader);
+    for (const auto& reader : readers) take_materials(*reader);
     return true;
   }
 
