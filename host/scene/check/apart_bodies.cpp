@@ -121,8 +121,8 @@ class BoxCells {
     for (std::size_t c = 1; c <= cells; ++c) starts_[c] += starts_[c - 1];
     members_.resize(starts_.back());
     std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-    for (std::uint32_t b = 0; b < boxes.size(); ++b)
-      if (fits_cell(boxes[b])) members_[next[cell_of(place_of(boxes[b]))]++] = b;
+    for (const PolyBounds& box : boxes)
+      if (fits_cell(box)) members_[next[cell_of(place_of(box))]++] = box;
   }
 
   // True: no two meet. False: two do, or more pairs than `most` would have to be compared.
@@ -133,7 +133,7 @@ class BoxCells {
       for (std::uint32_t other = 0; other < boxes_.size(); ++other)
         if (other != b && meet(boxes_[b], boxes_[other])) return false;
     std::vector<std::optional<std::uint64_t>> compared(jobs);
-    base::for_parts(jobs, boxes_.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+    base::for_parts(jobs, members_.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
       compared[part] = pairs_apart(begin, end, most);
     });
     for (const auto& pairs : compared) {
@@ -146,12 +146,12 @@ class BoxCells {
  private:
   using Place = std::array<std::int64_t, 3>;
 
-  // The number of pairs with one of the boxes `begin` to `end` - 1 that were compared; nullopt if two meet, or if there are more than `most`.
+  // The number of pairs with one of the members `begin` to `end` - 1 that were compared; nullopt if two meet, or if there are more than
+  // `most`.
   [[nodiscard]] std::optional<std::uint64_t> pairs_apart(std::size_t begin, std::size_t end, std::uint64_t most) const {
     std::uint64_t compared = 0;
-    for (std::size_t b = begin; b < end; ++b) {
-      if (!fits_cell(boxes_[b])) continue;
-      const Place at = place_of(boxes_[b]);
+    for (std::size_t m = begin; m < end; ++m) {
+      const Place at = place_of(members_[m]);
       for (std::int64_t x = std::max<std::int64_t>(at[0] - 1, 0); x <= at[0]; ++x) {
         for (std::int64_t y = std::max<std::int64_t>(at[1] - 1, 0); y <= std::min(at[1] + 1, count_[1] - 1); ++y) {
           for (std::int64_t z = std::max<std::int64_t>(at[2] - 1, 0); z <= std::min(at[2] + 1, count_[2] - 1); ++z) {
@@ -159,7 +159,7 @@ class BoxCells {
             compared += starts_[cell + 1] - starts_[cell];
             if (compared > most) return std::nullopt;
             for (std::uint32_t i = starts_[cell]; i < starts_[cell + 1]; ++i)
-              if (members_[i] != b && meet(boxes_[b], boxes_[members_[i]])) return std::nullopt;
+              if (i != m && meet(members_[m], members_[i])) return std::nullopt;
           }
         }
       }
@@ -187,7 +187,7 @@ class BoxCells {
   Place count_{};
   std::vector<std::uint32_t> large_;
   std::vector<std::uint32_t> starts_;
-  std::vector<std::uint32_t> members_;
+  std::vector<PolyBounds> members_;  // cell by cell
 };
 
 }  // namespace

@@ -38,8 +38,17 @@ class Surfaces {
     group_of_.assign(planes_.size(), no_group);
     reached_.assign(planes_.size(), 0);
     scene_.surfaces.reserve(planes_.size());
-    for (const std::uint32_t source : by_area())
-      if (group_of_[source] == no_group) gather(source);
+    std::vector<std::uint32_t> seeds;  // of the surfaces
+    seeds.reserve(planes_.size());
+    for (const std::uint32_t source : by_area()) {
+      if (group_of_[source] != no_group) continue;
+      gather(source);
+      seeds.push_back(source);
+    }
+    base::for_parts(jobs_, seeds.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t s = begin; s < end; ++s)
+        if (may_grow_[seeds[s]] == 0) scene_.surfaces[s].normal = planes_[seeds[s]].normal;
+    });
     scene_.surfaces.shrink_to_fit();
     scene_.surface_of.resize(mended_.faces.size());
     for (std::size_t f = 0; f < mended_.faces.size(); ++f) scene_.surface_of[f] = group_of_[mended_.faces[f].source];
@@ -189,12 +198,16 @@ class Surfaces {
     return mean;
   }
 
+  // Adds the surface of a face. The normal is set later if no other face is on it.
   // The plane of a small face is inaccurate far away from it, so the mean plane of the group may contain more faces.
   void gather(std::uint32_t seed) {
     const auto group = static_cast<std::uint32_t>(scene_.surfaces.size());
+    scene_.surfaces.emplace_back();
+    group_of_[seed] = group;
+    if (may_grow_[seed] == 0) return;
     FilePlane plane = planes_[seed];
     members_.assign(1, seed);
-    if (plane.area > 0 && may_grow_[seed] != 0) {
+    if (plane.area > 0) {
       flood(seed, plane, members_);
       constexpr int most_rounds = 16;
       for (int i = 0; i < most_rounds && members_.size() > 1; ++i) {
@@ -207,7 +220,7 @@ class Surfaces {
       }
     }
     for (const std::uint32_t source : members_) group_of_[source] = group;
-    scene_.surfaces.push_back({plane.normal});
+    scene_.surfaces.back().normal = plane.normal;
   }
 
   PolyScene& scene_;
