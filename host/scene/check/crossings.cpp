@@ -143,7 +143,7 @@ class CrossingSearch {
   // Adds the cells of the faces `begin` to `end` - 1. Faces in very many cells are added to `large`.
   void add_entries(const CellGrid& cells, std::size_t begin, std::size_t end, std::vector<Entry>& entries, std::vector<std::uint32_t>& large) const {
     constexpr std::int64_t most_cells = 512;
-    entries.reserve(4 * (end - begin));
+    entries.reserve(4 * (begin == 0 ? faces_.size() : end - begin));  // the first part gets the entries of all
     for (std::size_t f = begin; f < end; ++f) {
       std::array<std::int64_t, 6> span{};
       std::int64_t covered = 1;

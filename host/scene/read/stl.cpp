@@ -50,8 +50,7 @@ base::Result<PolyMesh> read_binary_stl(std::string_view bytes, std::string_view 
   PolyMesh mesh;
   if (rest > 0) mesh.notes.push_back(std::to_string(rest) + (rest == 1 ? " byte" : " bytes") + " after the last triangle");
   std::vector<PolyFace>& faces = mesh.bodies.emplace_back().faces;
-  faces.resize(static_cast<std::size_t>(triangles));
-  for (PolyFace& face : faces) face.outline.resize(3);
+  faces.assign(static_cast<std::size_t>(triangles), {{0, 0, 0}, {}});
   // Of the corners of all triangles.
   const auto place_of = [](std::size_t corner) { return stl_triangles_at + corner / 3 * stl_triangle_bytes + 12 * (corner % 3 + 1); };
   const auto point_of = [&](std::size_t corner) {

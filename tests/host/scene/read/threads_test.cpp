@@ -154,7 +154,6 @@ TEST(ReadingWithThreads, PartsOfATextAreWholeLines) {
   std::string text;
   for (int i = 0; i < 200; ++i) text += "line" + std::to_string(i) + (i % 7 == 0 ? " \\\n" : i % 5 == 0 ? "\r\n" : "\n");
   for (const std::string& whole : {text, text + "no end", std::string("one line"), std::string()}) {
-    PolyLines lines("head\n" + whole, "file");
     const std::string with_head = "head\n" + whole;
     PolyLines all(with_head, "file");
     ASSERT_TRUE(all.next());
@@ -174,7 +173,7 @@ TEST(EqualItems, TheFirstOfEachIsFoundWithEachNumberOfThreads) {
   std::mt19937 random(3);
   for (const std::size_t count : {0U, 1U, 2U, 500U, 5000U}) {
     std::vector<std::uint32_t> values(count);
-    for (std::uint32_t& value : values) value = random() % 1000;
+    for (std::uint32_t& value : values) value = static_cast<std::uint32_t>(random() % 1000);
     std::vector<std::uint32_t> expected(count);
     std::map<std::uint32_t, std::uint32_t> seen;
     for (std::uint32_t i = 0; i < count; ++i) expected[i] = seen.try_emplace(values[i], i).first->second;
