@@ -72,7 +72,7 @@ std::array<std::size_t, edge_kind_count> ChosenEdges::counts() const {
 }
 
 EdgeChooser::EdgeChooser(const scene::PolyScene& scene, const EdgeChoice& choice, unsigned jobs)
-    : scene_(scene), choice_(choice), jobs_(jobs), edges_(scene), least_cosine_(std::cos(choice.crease * std::numbers::pi / 180)) {
+    : scene_(scene), choice_(choice), jobs_(jobs), edges_(scene, jobs), least_cosine_(std::cos(choice.crease * std::numbers::pi / 180)) {
   find_surfaces();
   kinds_.resize(edges_.size());
   base::for_parts(jobs_, edges_.size(), [&](std::size_t, std::size_t begin, std::size_t end) {

@@ -176,12 +176,7 @@ class OffReader {
     const std::vector<std::string_view> texts = lines_.parts(count);
     std::vector<std::size_t> first(count + 1);  // line of each part
     base::for_parts(jobs, jobs, [&](std::size_t job, std::size_t, std::size_t) {
-      for (std::size_t part = job; part < count; part += jobs) {
-        PolyLines lines(texts[part], {});
-        std::size_t found = 0;
-        while (lines.next()) ++found;
-        first[part + 1] = found;
-      }
+      for (std::size_t part = job; part < count; part += jobs) first[part + 1] = count_lines(texts[part]);
     });
     for (std::size_t part = 0; part < count; ++part) first[part + 1] += first[part];
     if (first[count] != vertices_ + faces_) return false;

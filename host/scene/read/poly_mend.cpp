@@ -191,7 +191,7 @@ class Mending {
     std::vector<const Ring*> outlines;
     outlines.reserve(pieces_.size());
     for (const Piece& piece : pieces_) outlines.push_back(&piece.ring);
-    return {points().size(), outlines};
+    return {points().size(), outlines, options_.jobs};
   }
 
   // The faces for whose rings a condition holds, ascending.

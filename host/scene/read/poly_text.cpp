@@ -108,6 +108,24 @@ base::Error PolyLines::unexpected(std::string_view found, const std::string& exp
   return error("found " + (found.empty() ? "the end of the file" : quoted_excerpt(found)) + ", expected " + expected);
 }
 
+std::size_t count_lines(std::string_view text) {
+  std::size_t count = 0;
+  if (text.find('\\') != std::string_view::npos || text.find('\r') != std::string_view::npos) {
+    PolyLines lines(text, {});
+    while (lines.next()) ++count;
+    return count;
+  }
+  // No line is continued, and each ends with LF: it need not be split.
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::size_t first = 0;
+    while (first < end && is_blank(text[first])) ++first;
+    if (first < end && text[first] != '#') ++count;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return count;
+}
+
 std::optional<double> coordinate_of(std::string_view field) {
   if (const auto number = base::decimal_number(field)) return number;
   constexpr double none = std::numeric_limits<double>::quiet_NaN();

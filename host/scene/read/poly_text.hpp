@@ -51,6 +51,9 @@ class PolyLines {
   std::size_t number_ = 0;  // 0: before the first line or behind the last
 };
 
+// How many lines have fields: so often next() is true.
+[[nodiscard]] std::size_t count_lines(std::string_view text);
+
 // A coordinate: a decimal number, or NaN for all spellings of what is no finite number ("nan", "-inf", "1.#IND", "1e999").
 // Empty for everything else.
 [[nodiscard]] std::optional<double> coordinate_of(std::string_view field);

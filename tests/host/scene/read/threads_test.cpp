@@ -169,6 +169,15 @@ TEST(ReadingWithThreads, PartsOfATextAreWholeLines) {
   }
 }
 
+TEST(ReadingWithThreads, LinesWithFieldsAreCountedAsTheyAreRead) {
+  for (const std::string text : {"", "\n", "a", "a\n", "a\n\n b # c\n# d\n  # e\n\tf", "#\n#a\n a", " \n\t\n", "1.#QNAN 2\n#QNAN\n1.#x", "a\\\nb\nc\\\n# d\ne",
+                                 "a\rb\r\nc\n\rd", "a\\", "\\\n\\\n", "\v\f\na"}) {
+    std::size_t count = 0;
+    for (PolyLines lines(text, "file"); lines.next();) ++count;
+    EXPECT_EQ(count_lines(text), count) << text;
+  }
+}
+
 TEST(EqualItems, TheFirstOfEachIsFoundWithEachNumberOfThreads) {
   std::mt19937 random(3);
   for (const std::size_t count : {0U, 1U, 2U, 500U, 5000U}) {
