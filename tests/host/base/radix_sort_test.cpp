@@ -23,7 +23,9 @@ TEST(RadixSort, SortsAsAStableSortByTheBitsGivenWithEachNumberOfThreads) {
       // Few different keys, so that the order of equal ones counts.
       for (std::size_t i = 0; i < count; ++i) entries.push_back({(random() % 300) * 0x0123456789abcdefU, i});
       std::vector<Entry> expected = entries;
-      const auto bits_of = [&](const Entry& entry) { return high - low == 64 ? entry.key : (entry.key >> low) % (std::uint64_t{1} << (high - low)); };
+      const auto bits_of = [first = low, count_of = high - low](const Entry& entry) {
+        return count_of == 64 ? entry.key : (entry.key >> first) % (std::uint64_t{1} << count_of);
+      };
       std::stable_sort(expected.begin(), expected.end(), [&](const Entry& a, const Entry& b) { return bits_of(a) < bits_of(b); });
       for (const unsigned jobs : {1U, 2U, 3U, 7U}) {
         std::vector<Entry> sorted = entries;
