@@ -15,12 +15,6 @@
 
 namespace sightline {
 
-struct Drawing::Picture {
-  picture::VectorDrawing drawing;
-  double width = 0;
-  double height = 0;
-};
-
 namespace bindings {
 namespace {
 
@@ -55,7 +49,7 @@ class Rings {
     const std::uint32_t size = mesh_.ring_sizes[ring_++];
     const auto begin = mesh_.corners.begin() + static_cast<std::ptrdiff_t>(corner_);
     corner_ += size;
-    return {begin, begin + size};
+    return {begin, begin + static_cast<std::ptrdiff_t>(size)};
   }
 
  private:

@@ -185,7 +185,7 @@ class CrossingSearch {
     std::vector<std::uint64_t> sorted(entries.size());
     for (unsigned shift = 32; shift < 32 + 3 * digit; shift += digit) {
       std::array<std::size_t, (1U << digit) + 1> starts{};
-      const auto digit_of = [shift](std::uint64_t entry) { return (entry >> shift) & ((1U << digit) - 1); };
+      const auto digit_of = [shift](std::uint64_t entry) { return static_cast<std::size_t>(entry >> shift & ((1U << digit) - 1)); };
       for (const std::uint64_t entry : entries) ++starts[digit_of(entry) + 1];
       for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
       for (const std::uint64_t entry : entries) sorted[starts[digit_of(entry)]++] = entry;

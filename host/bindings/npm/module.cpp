@@ -1,0 +1,481 @@
+// The C interface of the WebAssembly module for JavaScript: arrays and options in, columns out, for one scene at a time.
+// module.js is the only caller.
+//
+// Names and texts are written to the buffer of `buffer`, one after the other, and their lengths are arguments. A function that
+// returns 0 has failed: get("error.found") and its likes tell why. The only function imported is `progress`.
+#include <fmt/core.h>
+#include <wasi/api.h>
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "host/base/watch.hpp"
+#include "host/bindings/cpp/arrays.hpp"
+#include "host/picture/png.hpp"
+#include "host/scene/model/file_units.hpp"
+
+#define SIGHTLINE_EXPORT_AS(name) extern "C" __attribute__((export_name(#name)))
+
+// Gets the part of the work that is done; 0: end the work.
+extern "C" __attribute__((import_module("sightline"), import_name("progress"))) int sightline_progress(double done);
+
+namespace sightline::picture {
+
+base::Result<base::Bytes> encode_png(const Image&, const TextEntries&, double) {
+  return base::Error{.file = "format", .found = "found \"png\"", .expected = "svg, pdf, dxf, hpgl or steps", .kind = base::ErrorKind::usage};
+}
+
+}  // namespace sightline::picture
+
+namespace {
+
+using namespace sightline;
+
+// ---------------------------------------------------------------------------------------------------------- Options
+
+struct ViewRequest {
+  Camera camera;
+  DrawOptions options;
+};
+
+// Names are those of the members in C++. Calls visit(name, member) until it returns true.
+template <class Visit>
+bool visit_options(LoadOptions& o, const Visit& visit) {
+  return visit("mend", o.mend) || visit("weld", o.weld) || visit("planar_tolerance", o.planar_tolerance) || visit("unit", o.unit) ||
+         visit("eye", o.eye);
+}
+template <class Visit>
+bool visit_options(Camera& o, const Visit& visit) {
+  return visit("view", o.view) || visit("perspective", o.perspective) || visit("direction", o.direction) || visit("eye", o.eye) ||
+         visit("look_at", o.look_at) || visit("up", o.up) || visit("vertical", o.vertical);
+}
+template <class Visit>
+bool visit_options(DrawOptions& o, const Visit& visit) {
+  return visit("edges", o.edges) || visit("crease", o.crease) || visit("hidden", o.hidden) || visit("width", o.width) ||
+         visit("height", o.height) || visit("scale", o.scale) || visit("field", o.field) || visit("min_length", o.min_length);
+}
+template <class Visit>
+bool visit_options(FileOptions& o, const Visit& visit) {
+  return visit("format", o.format) || visit("title", o.title) || visit("margin", o.margin) || visit("pen", o.pen) ||
+         visit("as_found", o.as_found);
+}
+
+// A value of JavaScript: of its three kinds of values that an option can have, or a description of another one.
+struct Value {
+  enum class Type { number, truth, text, point, other };
+
+  Type type = Type::other;
+  Point numbers{};
+  std::string text;
+};
+
+// Sets a member; returns what would have been accepted, or null.
+const char* set(double& member, const Value& value) {
+  if (value.type != Value::Type::number) return "a number";
+  member = value.numbers[0];
+  return nullptr;
+}
+const char* set(bool& member, const Value& value) {
+  if (value.type != Value::Type::truth) return "true or false";
+  member = value.numbers[0] != 0;
+  return nullptr;
+}
+const char* set(std::string& member, const Value& value) {
+  if (value.type != Value::Type::text) return "a text";
+  member = value.text;
+  return nullptr;
+}
+const char* set(Point& member, const Value& value) {
+  if (value.type != Value::Type::point) return "three numbers";
+  member = value.numbers;
+  return nullptr;
+}
+template <class Member>
+const char* set(std::optional<Member>& member, const Value& value) {
+  Member given{};
+  const char* const expected = set(given, value);
+  if (expected == nullptr) member = given;
+  return expected;
+}
+
+std::string found_text(const Value& value) {
+  switch (value.type) {
+    case Value::Type::number: return fmt::format("found {}", value.numbers[0]);
+    case Value::Type::truth: return value.numbers[0] != 0 ? "found true" : "found false";
+    case Value::Type::text: return fmt::format("found \"{}\"", value.text);
+    case Value::Type::point: return "found three numbers";
+    case Value::Type::other: break;
+  }
+  return "found " + value.text;
+}
+
+// Sets the option of that name. nullopt: there is none of that name in these options.
+template <class Options>
+std::optional<base::Result<base::Done>> set_option(Options& options, std::string_view name, const Value& value) {
+  const char* expected = nullptr;
+  if (!visit_options(options, [&](std::string_view each, auto& member) {
+        if (each != name) return false;
+        expected = set(member, value);
+        return true;
+      }))
+    return std::nullopt;
+  if (expected == nullptr) return base::Done{};
+  return base::Error{.file = std::string(name), .found = found_text(value), .expected = expected, .kind = base::ErrorKind::usage};
+}
+
+template <class... Options>
+std::string names_of(Options&... options) {
+  std::string names;
+  const auto add = [&names](std::string_view name, auto&) {
+    if (!names.empty()) names += ", ";
+    names += name;
+    return false;
+  };
+  static_cast<void>((visit_options(options, add) || ...));
+  return names;
+}
+
+// --------------------------------------------------------------------------------------------------------- Pictures
+
+// What Drawing::file needs as bytes, so that JavaScript can keep it. Read by the same module only.
+class Bytes {
+ public:
+  template <class Value>
+  void add(const Value& value) {
+    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  template <class Value>
+  void add_all(const std::vector<Value>& values) {
+    add(static_cast<std::uint32_t>(values.size()));
+    bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value));
+  }
+  [[nodiscard]] std::string take() { return std::move(bytes_); }
+
+ private:
+  std::string bytes_;
+};
+
+class BytesReader {
+ public:
+  explicit BytesReader(std::string_view bytes) : bytes_(bytes) {}
+
+  template <class Value>
+  Value next() {
+    Value value{};
+    std::memcpy(&value, bytes_.data(), sizeof value);
+    bytes_.remove_prefix(sizeof value);
+    return value;
+  }
+  template <class Container>
+  Container next_all() {
+    Container values;
+    values.resize(next<std::uint32_t>());
+    const std::size_t size = values.size() * sizeof(values[0]);
+    if (size != 0) std::memcpy(values.data(), bytes_.data(), size);
+    bytes_.remove_prefix(size);
+    return values;
+  }
+
+ private:
+  std::string_view bytes_;
+};
+
+std::string bytes_of(const Drawing::Picture& picture) {
+  Bytes bytes;
+  bytes.add(picture.width);
+  bytes.add(picture.height);
+  const picture::VectorDrawing& drawing = picture.drawing;
+  bytes.add(drawing.width);
+  bytes.add(drawing.height);
+  bytes.add_all(drawing.points);
+  bytes.add_all(drawing.lines);
+  bytes.add(static_cast<std::uint32_t>(drawing.layers.size()));
+  for (const picture::DrawingLayer& layer : drawing.layers) {
+    bytes.add_all(std::vector<char>(layer.label.begin(), layer.label.end()));
+    bytes.add(layer.colour);
+    bytes.add(layer.dash);
+  }
+  return bytes.take();
+}
+
+Drawing::Picture picture_of(std::string_view given) {
+  BytesReader bytes(given);
+  Drawing::Picture result;
+  result.width = bytes.next<double>();
+  result.height = bytes.next<double>();
+  picture::VectorDrawing& drawing = result.drawing;
+  drawing.width = bytes.next<double>();
+  drawing.height = bytes.next<double>();
+  drawing.points = bytes.next_all<std::vector<picture::DrawingPoint>>();
+  drawing.lines = bytes.next_all<std::vector<picture::DrawingLine>>();
+  drawing.layers.resize(bytes.next<std::uint32_t>());
+  for (picture::DrawingLayer& layer : drawing.layers) {
+    layer.label = bytes.next_all<std::string>();
+    layer.colour = bytes.next<picture::Colour>();
+    layer.dash = bytes.next<double>();
+  }
+  return result;
+}
+
+// ------------------------------------------------------------------------------------------------------------ State
+
+struct Module {
+  std::string buffer;
+  std::string answer;
+  base::Error error;
+  Mesh mesh;
+  LoadOptions load_options;
+  ViewRequest request;
+  std::string view_options;      // the given ones of request.options, to recognise them
+  std::string prepared_options;  // those of `views`
+  FileOptions file_options;
+  std::optional<hidden_lines::Scene> scene;
+  std::optional<hidden_lines::Views> views;  // of the scene
+  Drawing drawing;
+};
+
+bool memory_exhausted = false;
+
+Module& module() {
+  static Module the_module;
+  return the_module;
+}
+
+int fail(base::Error error) {
+  module().error = std::move(error);
+  return 0;
+}
+
+const char* kind_text(base::ErrorKind kind) {
+  switch (kind) {
+    case base::ErrorKind::usage: return "usage";
+    case base::ErrorKind::io: return "io";
+    case base::ErrorKind::cancelled: return "cancelled";
+    case base::ErrorKind::bad_input:
+    case base::ErrorKind::program_failed:
+    case base::ErrorKind::differs: break;
+  }
+  return "bad_input";
+}
+
+base::Watch progress_watch() {
+  return base::Watch([](double done) { return sightline_progress(done) != 0; });
+}
+
+// --------------------------------------------------------------------------------------------------------- Answers
+
+// One value for each row, as bytes.
+template <class Row, class Get>
+std::string column(const std::vector<Row>& rows, const Get& get) {
+  std::string bytes;
+  bytes.reserve(rows.size() * sizeof(get(std::declval<const Row&>())));
+  for (const Row& row : rows) {
+    const auto value = get(row);
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  return bytes;
+}
+
+// Where the numbers of each row begin, and where those of the last one end.
+template <class Row>
+std::string offsets(const std::vector<Row>& rows, std::uint32_t Row::*count) {
+  std::vector<std::uint32_t> all{0};
+  for (const Row& row : rows) all.push_back(all.back() + row.*count);
+  return column(all, [](std::uint32_t at) { return at; });
+}
+
+template <class... Numbers>
+std::string bytes_of_numbers(const Numbers&... numbers) {
+  std::string bytes;
+  (bytes.append(reinterpret_cast<const char*>(&numbers), sizeof numbers), ...);
+  return bytes;
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + line;
+  return text;
+}
+
+struct Getter {
+  std::string_view name;
+  std::string (*get)(const Module& m);
+};
+
+constexpr auto number = [](std::uint32_t n) { return n; };
+
+constexpr Getter getters[] = {
+    {"error.kind", [](const Module& m) -> std::string { return kind_text(m.error.kind); }},
+    {"error.argument", [](const Module& m) { return m.error.file; }},
+    {"error.place", [](const Module& m) { return m.error.place; }},
+    {"error.found", [](const Module& m) { return m.error.found; }},
+    {"error.expected", [](const Module& m) { return m.error.expected; }},
+    {"error.message", [](const Module& m) { return m.error.message(); }},
+    {"scene.counts", [](const Module& m) {
+       return bytes_of_numbers(static_cast<std::uint32_t>(scene::face_count(m.scene->scene)), static_cast<std::uint32_t>(m.scene->scene.vertices.size()));
+     }},
+    {"scene.bounds", [](const Module& m) {
+       const scene::PolyBounds bounds = scene::bounds_of(m.scene->scene);
+       return bytes_of_numbers(scene::file_point(m.scene->scene, bounds.low), scene::file_point(m.scene->scene, bounds.high));
+     }},
+    {"scene.step", [](const Module& m) { return bytes_of_numbers(m.scene->scene.step); }},
+    {"scene.notes", [](const Module& m) { return joined(bindings::notes_of(*m.scene)); }},
+    {"lines", [](const Module& m) { return column(m.drawing.lines, [](const Line& l) { return std::array{l.from, l.to}; }); }},
+    {"kinds", [](const Module& m) { return column(m.drawing.lines, [](const Line& l) { return l.kind; }); }},
+    {"hidden", [](const Module& m) { return column(m.drawing.lines, [](const Line& l) { return l.hidden; }); }},
+    {"lineEdges", [](const Module& m) { return column(m.drawing.line_edges, number); }},
+    {"lineEdgeOffsets", [](const Module& m) { return offsets(m.drawing.lines, &Line::edge_count); }},
+    {"parts.edges", [](const Module& m) { return column(m.drawing.parts, [](const Part& p) { return p.edge; }); }},
+    {"parts.fractions", [](const Module& m) { return column(m.drawing.parts, [](const Part& p) { return std::array{p.low, p.high}; }); }},
+    {"parts.hidden", [](const Module& m) { return column(m.drawing.parts, [](const Part& p) { return p.hidden; }); }},
+    {"parts.hiddenBy", [](const Module& m) { return column(m.drawing.parts, [](const Part& p) { return p.hidden_by; }); }},
+    {"edges.kinds", [](const Module& m) { return column(m.drawing.edges, [](const Edge& e) { return e.kind; }); }},
+    {"edges.ends", [](const Module& m) { return column(m.drawing.edges, [](const Edge& e) { return e.ends; }); }},
+    {"edges.vertices", [](const Module& m) { return column(m.drawing.edges, [](const Edge& e) { return e.vertices; }); }},
+    {"edges.bodies", [](const Module& m) { return column(m.drawing.edges, [](const Edge& e) { return e.body; }); }},
+    {"edges.faces", [](const Module& m) { return column(m.drawing.faces, number); }},
+    {"edges.faceOffsets", [](const Module& m) { return offsets(m.drawing.edges, &Edge::face_count); }},
+    // Perspective (1 or 0), eye, axes, scale, low, error.
+    {"camera", [](const Module& m) {
+       const Drawing& d = m.drawing;
+       return bytes_of_numbers(d.perspective ? 1.0 : 0.0, d.eye, d.axes, d.scale, d.low, d.camera_error);
+     }},
+    {"notes", [](const Module& m) { return joined(m.drawing.notes); }},
+    {"picture", [](const Module& m) { return bytes_of(*m.drawing.picture); }},
+};
+
+// Rows are taken as bytes.
+static_assert(sizeof(Fraction) == 16 && sizeof(bool) == 1);
+
+}  // namespace
+
+// ---------------------------------------------------------------------------------------------------- The functions
+
+// A buffer for `bytes` bytes, valid until the next call.
+SIGHTLINE_EXPORT_AS(buffer) char* buffer(std::uint32_t bytes) {
+  std::set_new_handler([] {
+    memory_exhausted = true;
+    __builtin_trap();
+  });
+  module().buffer.resize(bytes);
+  return module().buffer.data();
+}
+// After a trap: whether there was no memory left.
+SIGHTLINE_EXPORT_AS(exhausted) int exhausted() { return memory_exhausted ? 1 : 0; }
+
+// The mesh's vertices, three doubles each.
+SIGHTLINE_EXPORT_AS(vertices) void* vertices(std::uint32_t count) {
+  module().mesh.vertices.resize(count);
+  return module().mesh.vertices.data();
+}
+// Another array of the mesh: 0 corners, 1 ring_sizes, 2 face_rings, 3 bodies, 4 line_points, 5 line_sizes.
+SIGHTLINE_EXPORT_AS(numbers) void* numbers(int array, std::uint32_t count) {
+  Mesh& mesh = module().mesh;
+  std::vector<std::uint32_t>* const arrays[] = {&mesh.corners, &mesh.ring_sizes, &mesh.face_rings, &mesh.bodies, &mesh.line_points, &mesh.line_sizes};
+  arrays[array]->resize(count);
+  return arrays[array]->data();
+}
+
+// Sets an option by its name. `group`: 0 of load, 1 of draw, 2 of file. `type` and the numbers, or the text behind the name, are a Value.
+SIGHTLINE_EXPORT_AS(option) int option(int group, std::uint32_t name_size, int type, double x, double y, double z, std::uint32_t text_size) {
+  Module& m = module();
+  const std::string name = m.buffer.substr(0, name_size);
+  const Value value{static_cast<Value::Type>(type), {x, y, z}, m.buffer.substr(name_size, text_size)};
+  std::optional<base::Result<base::Done>> result;
+  if (group == 0) result = set_option(m.load_options, name, value);
+  if (group == 1) {
+    result = set_option(m.request.camera, name, value);
+    if (!result) {
+      result = set_option(m.request.options, name, value);
+      m.view_options += name + '=' + bytes_of_numbers(x) + value.text + '\n';
+    }
+  }
+  if (group == 2) result = set_option(m.file_options, name, value);
+  if (!result) {
+    std::string names = group == 0   ? names_of(m.load_options)
+                        : group == 1 ? names_of(m.request.camera, m.request.options)
+                                     : names_of(m.file_options);
+    return fail({.file = name, .found = "no such option", .expected = std::move(names), .kind = base::ErrorKind::usage});
+  }
+  return *result ? 1 : fail(std::move(result->error()));
+}
+// Before the options of a call.
+SIGHTLINE_EXPORT_AS(reset_options) void reset_options() {
+  Module& m = module();
+  m.load_options = {};
+  m.request = {};
+  m.view_options.clear();
+  m.file_options = {};
+}
+
+// Makes the scene of the mesh, which is then empty again.
+SIGHTLINE_EXPORT_AS(load) int load() {
+  Module& m = module();
+  m.views.reset();
+  m.scene.reset();
+  auto loaded = bindings::load(std::exchange(m.mesh, {}), m.load_options, progress_watch());
+  if (!loaded) return fail(std::move(loaded.error()));
+  m.scene = *std::move(loaded);
+  return 1;
+}
+
+// Makes the drawing. What views with equal options share is computed once.
+SIGHTLINE_EXPORT_AS(draw) int draw() {
+  Module& m = module();
+  const base::Watch watch = progress_watch();
+  const bool prepared = m.views && m.prepared_options == m.view_options;
+  if (!prepared) {
+    m.views.reset();
+    const auto checked = bindings::view_options(m.request.options, *m.scene);
+    if (!checked) return fail(checked.error());
+    auto views = hidden_lines::Views::of(*m.scene, *checked, {}, watch.part(0, 0.3));
+    if (!views) return fail(std::move(views.error()));
+    m.views = *std::move(views);
+    m.prepared_options = m.view_options;
+  }
+  auto drawn = bindings::draw(*m.scene, *m.views, m.request.camera, m.request.options, prepared ? watch : watch.part(0.3, 1));
+  if (!drawn) return fail(std::move(drawn.error()));
+  m.drawing = *std::move(drawn);
+  return 1;
+}
+
+// Makes a file of the picture in the buffer, `bytes` bytes; it is the answer.
+SIGHTLINE_EXPORT_AS(file) int file(std::uint32_t bytes) {
+  Module& m = module();
+  Drawing drawing;
+  drawing.picture = std::make_shared<const Drawing::Picture>(picture_of(std::string_view(m.buffer).substr(0, bytes)));
+  auto written = bindings::file_of(drawing, m.file_options);
+  if (!written) return fail(std::move(written.error()));
+  m.answer = *std::move(written);
+  return 1;
+}
+
+// The answer becomes what has the name in the buffer.
+SIGHTLINE_EXPORT_AS(get) void get(std::uint32_t name_size) {
+  Module& m = module();
+  const std::string_view name = std::string_view(m.buffer).substr(0, name_size);
+  for (const Getter& each : getters)
+    if (each.name == name) m.answer = each.get(m);
+}
+SIGHTLINE_EXPORT_AS(answer_data) const char* answer_data() { return module().answer.data(); }
+SIGHTLINE_EXPORT_AS(answer_size) std::uint32_t answer_size() { return static_cast<std::uint32_t>(module().answer.size()); }
+
+// The system below the C library, of which only errors are reached: there are no files.
+__wasi_errno_t __wasi_fd_close(__wasi_fd_t) { return __WASI_ERRNO_BADF; }
+__wasi_errno_t __wasi_fd_seek(__wasi_fd_t, __wasi_filedelta_t, __wasi_whence_t, __wasi_filesize_t*) { return __WASI_ERRNO_BADF; }
+__wasi_errno_t __wasi_fd_write(__wasi_fd_t, const __wasi_ciovec_t*, std::size_t, __wasi_size_t*) { return __WASI_ERRNO_BADF; }
+
+// Debian's runtime library for wasm32 is compiled with stack protection, but does not define its symbols.
+extern "C" {
+std::uintptr_t __stack_chk_guard = 0x5349474C;
+void __stack_chk_fail() { __builtin_trap(); }
+}
