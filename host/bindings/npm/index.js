@@ -4,7 +4,7 @@
 // Every scene has an instance of the WebAssembly module with memory of its own, here or in a worker, which is given up with the
 // scene, after a trap, or when a call is aborted. The scene's mesh is kept, so that the next call can begin again.
 import {arraysOf} from './mesh.js';
-import {describe, Instance, SightlineError, wrongArgument} from './module.js';
+import {describe, Instance, moduleOptions, SightlineError, wrongArgument} from './module.js';
 
 export {SightlineError};
 
@@ -53,11 +53,20 @@ class Here {
 
   // Calls a method of the instance.
   call(method, values, {signal, progress}) {
+    let thrown = null;
     this.#instance.progress = done => {
-      progress?.(done);
-      return !signal?.aborted;
+      try {
+        progress?.(done);
+      } catch (error) {
+        thrown = {error};
+      }
+      return !thrown && !signal?.aborted;
     };
-    return this.#instance[method](...values);
+    try {
+      return this.#instance[method](...values);
+    } catch (error) {
+      throw thrown ? thrown.error : error;
+    }
   }
   end() {}
 }
@@ -82,7 +91,7 @@ class Elsewhere {
   // Rejects with the signal's reason when it is aborted; the engine is then to be ended.
   call(method, values, {signal, progress}) {
     return new Promise((resolve, reject) => {
-      const abort = () => reject(signal.reason);
+      const abort = () => this.#answered.reject(signal.reason);
       const settled = act => value => {
         signal?.removeEventListener('abort', abort);
         this.#answered = null;
@@ -90,6 +99,7 @@ class Elsewhere {
         act(value);
       };
       this.#answered = {resolve: settled(resolve), reject: settled(reject), progress};
+      if (signal?.aborted) return abort();
       signal?.addEventListener('abort', abort);
       this.#worker.ref?.();
       this.#worker.postMessage({method, values});
@@ -117,14 +127,14 @@ class Elsewhere {
   }
 }
 
-// What becomes of an engine after an error: only errors of the user's leave it as it was.
-const isHarmless = error => error instanceof SightlineError && (error.kind === 'bad_input' || error.kind === 'usage');
+// After other errors an engine is of no use.
+const isHarmless = error => error instanceof SightlineError && ['bad_input', 'usage', 'cancelled'].includes(error.kind);
 
 // ----------------------------------------------------------------------------------------------------------- Options
 
 const loadNames = ['mend', 'weld', 'planarTolerance', 'unit', 'eye'];
 
-// Divides options into those that control a call, and all others. Copies them.
+// Divides options into those that control a call, and all others.
 function divided(options) {
   if (options === null || typeof options !== 'object') throw wrongArgument('usage', 'options', describe(options), 'an object');
   const {signal, progress, worker = false, ...others} = options;
@@ -132,7 +142,6 @@ function divided(options) {
     throw wrongArgument('usage', 'signal', describe(signal), 'an AbortSignal');
   if (progress !== undefined && typeof progress !== 'function') throw wrongArgument('usage', 'progress', describe(progress), 'a function');
   if (typeof worker !== 'boolean') throw wrongArgument('usage', 'worker', describe(worker), 'true or false');
-  for (const [name, value] of Object.entries(others)) if (Array.isArray(value) || ArrayBuffer.isView(value)) others[name] = [...value];
   return {control: {signal, progress}, worker, others};
 }
 
@@ -177,7 +186,7 @@ export class Drawing {
 
   file(options = {}) {
     if (options === null || typeof options !== 'object') throw wrongArgument('usage', 'options', describe(options), 'an object');
-    return new Instance(this.#module).file(this.#picture, options);
+    return new Instance(this.#module).file(this.#picture, moduleOptions(options));
   }
 }
 
@@ -198,7 +207,7 @@ export class Scene {
 
   static async of(mesh, options = {}) {
     const {control, worker, others} = divided(options);
-    const scene = new Scene(secret, arraysOf(mesh), others, worker);
+    const scene = new Scene(secret, arraysOf(mesh), moduleOptions(others), worker);
     await scene.#next(() => scene.#loaded(control), control);
     return scene;
   }
@@ -206,10 +215,11 @@ export class Scene {
   async draw(options = {}) {
     const {control, worker, others} = divided(options);
     if (worker) throw wrongArgument('usage', 'worker', 'true', 'the option of Scene.of');
+    const view = moduleOptions(others);
     return this.#next(async () => {
       const reloads = this.#engine === null;
       if (reloads) await this.#loaded(part(control, 0, 0.5));
-      const drawn = await this.#engine.call('draw', [others], reloads ? part(control, 0.5, 1) : control);
+      const drawn = await this.#engine.call('draw', [view], reloads ? part(control, 0.5, 1) : control);
       return new Drawing(secret, await compiledModule(), drawn);
     }, control);
   }
@@ -227,7 +237,12 @@ export class Scene {
     if (this.#freed) engine.end();
     this.#demandLife();
     this.#engine = engine;
-    Object.assign(this, await engine.call('load', [this.#mesh, this.#options], control));
+    try {
+      Object.assign(this, await engine.call('load', [this.#mesh, this.#options], control));
+    } catch (error) {
+      this.#end();
+      throw error;
+    }
   }
 
   #demandLife() {

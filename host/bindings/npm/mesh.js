@@ -1,12 +1,8 @@
 // Meshes as users give them, checked and made into the arrays of the module: those of sightline::Mesh (host/bindings/cpp/hidden_lines.hpp).
-import {describe, wrongArgument} from './module.js';
+import {describe, isList, typeOf, wrongArgument} from './module.js';
 
 const wrong = (place, found, expected) => wrongArgument('bad_input', 'mesh', found, expected, place);
 const members = ['positions', 'index', 'faces', 'polylines', 'bodies'];
-
-// Also of arrays that another window has made.
-const typeOf = value => Object.prototype.toString.call(value).slice(8, -1);
-const isList = value => Array.isArray(value) || (ArrayBuffer.isView(value) && typeOf(value) !== 'DataView');
 
 function checkType(place, value, ...types) {
   if (!types.includes(typeOf(value))) throw wrong(place, describe(value), `a ${types.join(' or ')}`);

@@ -250,6 +250,19 @@ Module& module() {
   return the_module;
 }
 
+[[noreturn]] void exhaust_memory() {
+  memory_exhausted = true;
+  __builtin_trap();
+}
+
+// Resizes an array and returns its data.
+template <class Number>
+void* resized(std::vector<Number>& numbers, std::size_t count) {
+  if (count > numbers.max_size()) exhaust_memory();
+  numbers.resize(count);
+  return numbers.data();
+}
+
 int fail(base::Error error) {
   module().error = std::move(error);
   return 0;
@@ -360,12 +373,11 @@ static_assert(sizeof(Fraction) == 16 && sizeof(bool) == 1);
 
 // ---------------------------------------------------------------------------------------------------- The functions
 
+// Called first.
+SIGHTLINE_EXPORT_AS(begin) void begin() { std::set_new_handler(exhaust_memory); }
+
 // A buffer for `bytes` bytes, valid until the next call.
 SIGHTLINE_EXPORT_AS(buffer) char* buffer(std::uint32_t bytes) {
-  std::set_new_handler([] {
-    memory_exhausted = true;
-    __builtin_trap();
-  });
   module().buffer.resize(bytes);
   return module().buffer.data();
 }
@@ -373,16 +385,12 @@ SIGHTLINE_EXPORT_AS(buffer) char* buffer(std::uint32_t bytes) {
 SIGHTLINE_EXPORT_AS(exhausted) int exhausted() { return memory_exhausted ? 1 : 0; }
 
 // The mesh's vertices, three doubles each.
-SIGHTLINE_EXPORT_AS(vertices) void* vertices(std::uint32_t count) {
-  module().mesh.vertices.resize(count);
-  return module().mesh.vertices.data();
-}
+SIGHTLINE_EXPORT_AS(vertices) void* vertices(std::uint32_t count) { return resized(module().mesh.vertices, count); }
 // Another array of the mesh: 0 corners, 1 ring_sizes, 2 face_rings, 3 bodies, 4 line_points, 5 line_sizes.
 SIGHTLINE_EXPORT_AS(numbers) void* numbers(int array, std::uint32_t count) {
   Mesh& mesh = module().mesh;
   std::vector<std::uint32_t>* const arrays[] = {&mesh.corners, &mesh.ring_sizes, &mesh.face_rings, &mesh.bodies, &mesh.line_points, &mesh.line_sizes};
-  arrays[array]->resize(count);
-  return arrays[array]->data();
+  return resized(*arrays[array], count);
 }
 
 // Sets an option by its name. `group`: 0 of load, 1 of draw, 2 of file. `type` and the numbers, or the text behind the name, are a Value.

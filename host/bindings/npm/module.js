@@ -19,12 +19,15 @@ export function wrongArgument(kind, argument, found, expected, place = '') {
   return new SightlineError(text, {kind, argument, place, found: `found ${found}`, expected});
 }
 
+// Also of arrays that another window has made.
+export const typeOf = value => Object.prototype.toString.call(value).slice(8, -1);
+export const isList = value => Array.isArray(value) || (ArrayBuffer.isView(value) && typeOf(value) !== 'DataView');
+
 // What a value is, for errors.
 export function describe(value) {
   if (value === null || value === undefined || typeof value === 'number' || typeof value === 'boolean') return String(value);
   if (typeof value === 'string') return `"${value}"`;
-  if (Array.isArray(value)) return `an array of ${value.length}`;
-  if (ArrayBuffer.isView(value)) return `${value.constructor.name} of ${value.length}`;
+  if (isList(value)) return `${Array.isArray(value) ? 'an array' : typeOf(value)} of ${value.length}`;
   return typeof value === 'function' ? 'a function' : typeof value === 'object' ? 'an object' : `a ${typeof value}`;
 }
 
@@ -48,6 +51,22 @@ const columns = {
 // The mesh's arrays in the order of module.cpp.
 const meshArrays = ['corners', 'ringSizes', 'faceRings', 'bodies', 'linePoints', 'lineSizes'];
 
+// Options as the module takes them, which is also as a worker can be sent them: Value in module.cpp.
+export function moduleOptions(options) {
+  const result = [];
+  for (const [given, value] of Object.entries(options)) {
+    if (value === undefined) continue;
+    const option = {name: moduleNames[given] ?? given, type: 4, numbers: [0, 0, 0], text: ''};
+    if (typeof value === 'number') [option.type, option.numbers] = [0, [value, 0, 0]];
+    else if (typeof value === 'boolean') [option.type, option.numbers] = [1, [Number(value), 0, 0]];
+    else if (typeof value === 'string') [option.type, option.text] = [2, value];
+    else if (isList(value) && value.length === 3 && [...value].every(c => typeof c === 'number')) [option.type, option.numbers] = [3, [...value]];
+    else option.text = describe(value);
+    result.push(option);
+  }
+  return result;
+}
+
 // One instance of the module, with memory of its own. After a trap it is of no use.
 export class Instance {
   #exports;
@@ -58,18 +77,17 @@ export class Instance {
     const imports = {sightline: {progress: done => this.progress?.(done) === false ? 0 : 1}};
     this.#exports = new WebAssembly.Instance(compiled, imports).exports;
     this.#exports._initialize();
+    this.#exports.begin();
   }
 
-  // `mesh`: positions and the arrays of the mesh in C++, as index.js makes them. Returns what is known of the scene.
+  // `mesh`: of arraysOf (mesh.js); `options`: of moduleOptions, here and below. Returns what is known of the scene.
   load(mesh, options) {
     return this.#guarded(() => {
       this.#indexed = mesh.indexed;
       const {positions} = mesh;
-      new Float64Array(this.#memory, this.#exports.vertices(positions.length / 3), positions.length).set(positions);
+      this.#view(Float64Array, this.#exports.vertices(positions.length / 3), positions.length).set(positions);
       meshArrays.forEach((name, number) => {
-        const given = mesh[name];
-        const at = this.#exports.numbers(number, given.length);
-        new Uint32Array(this.#memory, at, given.length).set(given);
+        this.#view(Uint32Array, this.#exports.numbers(number, mesh[name].length), mesh[name].length).set(mesh[name]);
       });
       this.#setOptions(0, options);
       this.#check(this.#exports.load());
@@ -95,13 +113,14 @@ export class Instance {
   file(picture, options) {
     return this.#guarded(() => {
       this.#setOptions(2, options);
-      new Uint8Array(this.#memory, this.#exports.buffer(picture.length), picture.length).set(picture);
+      this.#view(Uint8Array, this.#exports.buffer(picture.length), picture.length).set(picture);
       this.#check(this.#exports.file(picture.length));
       return new Uint8Array(this.#answer());
     });
   }
 
-  get #memory() { return this.#exports.memory.buffer; }
+  // Numbers in the module's memory. Valid until the next call of the module, which may make its memory larger.
+  #view(Type, at, length) { return new Type(this.#exports.memory.buffer, at, length); }
 
   // Runs calls of the module. What it did not throw itself is a trap.
   #guarded(work) {
@@ -120,7 +139,7 @@ export class Instance {
     const parts = texts.map(text => encoder.encode(text));
     let at = this.#exports.buffer(parts.reduce((sum, part) => sum + part.length, 0));
     for (const part of parts) {
-      new Uint8Array(this.#memory, at, part.length).set(part);
+      this.#view(Uint8Array, at, part.length).set(part);
       at += part.length;
     }
     return parts.map(part => part.length);
@@ -128,15 +147,8 @@ export class Instance {
 
   #setOptions(group, options) {
     this.#exports.reset_options();
-    for (const [name, value] of Object.entries(options)) {
-      if (value === undefined) continue;
-      let [type, numbers, text] = [4, [0, 0, 0], ''];
-      if (typeof value === 'number') [type, numbers] = [0, [value, 0, 0]];
-      else if (typeof value === 'boolean') [type, numbers] = [1, [Number(value), 0, 0]];
-      else if (typeof value === 'string') [type, text] = [2, value];
-      else if ((Array.isArray(value) || ArrayBuffer.isView(value)) && value.length === 3 && [...value].every(c => typeof c === 'number')) [type, numbers] = [3, value];
-      else text = describe(value);
-      const [nameSize, textSize] = this.#put(moduleNames[name] ?? name, text);
+    for (const {name, type, numbers, text} of options) {
+      const [nameSize, textSize] = this.#put(name, text);
       this.#check(this.#exports.option(group, nameSize, type, ...numbers, textSize));
     }
   }
@@ -155,8 +167,7 @@ export class Instance {
   // A copy of what has the name.
   #answer(name) {
     if (name !== undefined) this.#exports.get(this.#put(name)[0]);
-    const at = this.#exports.answer_data();
-    return this.#memory.slice(at, at + this.#exports.answer_size());
+    return this.#view(Uint8Array, this.#exports.answer_data(), this.#exports.answer_size()).slice().buffer;
   }
   #numbers(name, Type) { return new Type(this.#answer(name)); }
   #text(name) { return decoder.decode(this.#answer(name)); }
