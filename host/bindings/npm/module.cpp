@@ -3,7 +3,6 @@
 //
 // Names and texts are written to the buffer of `buffer`, one after the other, and their lengths are arguments. A function that
 // returns 0 has failed: get("error.found") and its likes tell why. The only function imported is `progress`.
-#include <fmt/core.h>
 #include <wasi/api.h>
 
 #include <array>
@@ -12,7 +11,6 @@
 #include <memory>
 #include <new>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,6 +18,7 @@
 
 #include "host/base/watch.hpp"
 #include "host/bindings/cpp/arrays.hpp"
+#include "host/bindings/npm/options.hpp"
 #include "host/picture/png.hpp"
 #include "host/scene/model/file_units.hpp"
 
@@ -39,110 +38,6 @@ base::Result<base::Bytes> encode_png(const Image&, const TextEntries&, double) {
 namespace {
 
 using namespace sightline;
-
-// ---------------------------------------------------------------------------------------------------------- Options
-
-struct ViewRequest {
-  Camera camera;
-  DrawOptions options;
-};
-
-// Names are those of the members in C++. Calls visit(name, member) until it returns true.
-template <class Visit>
-bool visit_options(LoadOptions& o, const Visit& visit) {
-  return visit("mend", o.mend) || visit("weld", o.weld) || visit("planar_tolerance", o.planar_tolerance) || visit("unit", o.unit) ||
-         visit("eye", o.eye);
-}
-template <class Visit>
-bool visit_options(Camera& o, const Visit& visit) {
-  return visit("view", o.view) || visit("perspective", o.perspective) || visit("direction", o.direction) || visit("eye", o.eye) ||
-         visit("look_at", o.look_at) || visit("up", o.up) || visit("vertical", o.vertical);
-}
-template <class Visit>
-bool visit_options(DrawOptions& o, const Visit& visit) {
-  return visit("edges", o.edges) || visit("crease", o.crease) || visit("hidden", o.hidden) || visit("width", o.width) ||
-         visit("height", o.height) || visit("scale", o.scale) || visit("field", o.field) || visit("min_length", o.min_length);
-}
-template <class Visit>
-bool visit_options(FileOptions& o, const Visit& visit) {
-  return visit("format", o.format) || visit("title", o.title) || visit("margin", o.margin) || visit("pen", o.pen) ||
-         visit("as_found", o.as_found);
-}
-
-// A value of JavaScript: of its three kinds of values that an option can have, or a description of another one.
-struct Value {
-  enum class Type { number, truth, text, point, other };
-
-  Type type = Type::other;
-  Point numbers{};
-  std::string text;
-};
-
-// Sets a member; returns what would have been accepted, or null.
-const char* set(double& member, const Value& value) {
-  if (value.type != Value::Type::number) return "a number";
-  member = value.numbers[0];
-  return nullptr;
-}
-const char* set(bool& member, const Value& value) {
-  if (value.type != Value::Type::truth) return "true or false";
-  member = value.numbers[0] != 0;
-  return nullptr;
-}
-const char* set(std::string& member, const Value& value) {
-  if (value.type != Value::Type::text) return "a text";
-  member = value.text;
-  return nullptr;
-}
-const char* set(Point& member, const Value& value) {
-  if (value.type != Value::Type::point) return "three numbers";
-  member = value.numbers;
-  return nullptr;
-}
-template <class Member>
-const char* set(std::optional<Member>& member, const Value& value) {
-  Member given{};
-  const char* const expected = set(given, value);
-  if (expected == nullptr) member = given;
-  return expected;
-}
-
-std::string found_text(const Value& value) {
-  switch (value.type) {
-    case Value::Type::number: return fmt::format("found {}", value.numbers[0]);
-    case Value::Type::truth: return value.numbers[0] != 0 ? "found true" : "found false";
-    case Value::Type::text: return fmt::format("found \"{}\"", value.text);
-    case Value::Type::point: return "found three numbers";
-    case Value::Type::other: break;
-  }
-  return "found " + value.text;
-}
-
-// Sets the option of that name. nullopt: there is none of that name in these options.
-template <class Options>
-std::optional<base::Result<base::Done>> set_option(Options& options, std::string_view name, const Value& value) {
-  const char* expected = nullptr;
-  if (!visit_options(options, [&](std::string_view each, auto& member) {
-        if (each != name) return false;
-        expected = set(member, value);
-        return true;
-      }))
-    return std::nullopt;
-  if (expected == nullptr) return base::Done{};
-  return base::Error{.file = std::string(name), .found = found_text(value), .expected = expected, .kind = base::ErrorKind::usage};
-}
-
-template <class... Options>
-std::string names_of(Options&... options) {
-  std::string names;
-  const auto add = [&names](std::string_view name, auto&) {
-    if (!names.empty()) names += ", ";
-    names += name;
-    return false;
-  };
-  static_cast<void>((visit_options(options, add) || ...));
-  return names;
-}
 
 // --------------------------------------------------------------------------------------------------------- Pictures
 
@@ -233,13 +128,10 @@ struct Module {
   std::string answer;
   base::Error error;
   Mesh mesh;
-  LoadOptions load_options;
-  ViewRequest request;
-  std::string view_options;      // the given ones of request.options, to recognise them
-  std::string prepared_options;  // those of `views`
-  FileOptions file_options;
+  npm::Options options;
   std::optional<hidden_lines::Scene> scene;
   std::optional<hidden_lines::Views> views;  // of the scene
+  std::string views_text;                    // npm::Options::draw_text of the views
   Drawing drawing;
 };
 
@@ -393,44 +285,23 @@ SIGHTLINE_EXPORT_AS(numbers) void* numbers(int array, std::uint32_t count) {
   return resized(*arrays[array], count);
 }
 
-// Sets an option by its name. `group`: 0 of load, 1 of draw, 2 of file. `type` and the numbers, or the text behind the name, are a Value.
-SIGHTLINE_EXPORT_AS(option) int option(int group, std::uint32_t name_size, int type, double x, double y, double z, std::uint32_t text_size) {
+// Sets an option of a call, a npm::Call, by its name. `type` and the numbers, or the text behind the name, are a npm::Value.
+SIGHTLINE_EXPORT_AS(option) int option(int call, std::uint32_t name_size, int type, double x, double y, double z, std::uint32_t text_size) {
   Module& m = module();
-  const std::string name = m.buffer.substr(0, name_size);
-  const Value value{static_cast<Value::Type>(type), {x, y, z}, m.buffer.substr(name_size, text_size)};
-  std::optional<base::Result<base::Done>> result;
-  if (group == 0) result = set_option(m.load_options, name, value);
-  if (group == 1) {
-    result = set_option(m.request.camera, name, value);
-    if (!result) {
-      result = set_option(m.request.options, name, value);
-      m.view_options += name + '=' + bytes_of_numbers(x) + value.text + '\n';
-    }
-  }
-  if (group == 2) result = set_option(m.file_options, name, value);
-  if (!result) {
-    std::string names = group == 0   ? names_of(m.load_options)
-                        : group == 1 ? names_of(m.request.camera, m.request.options)
-                                     : names_of(m.file_options);
-    return fail({.file = name, .found = "no such option", .expected = std::move(names), .kind = base::ErrorKind::usage});
-  }
-  return *result ? 1 : fail(std::move(result->error()));
+  const std::string_view given = m.buffer;
+  const npm::Value value{static_cast<npm::Value::Type>(type), {x, y, z}, std::string(given.substr(name_size, text_size))};
+  auto done = m.options.set(static_cast<npm::Call>(call), given.substr(0, name_size), value);
+  return done ? 1 : fail(std::move(done.error()));
 }
 // Before the options of a call.
-SIGHTLINE_EXPORT_AS(reset_options) void reset_options() {
-  Module& m = module();
-  m.load_options = {};
-  m.request = {};
-  m.view_options.clear();
-  m.file_options = {};
-}
+SIGHTLINE_EXPORT_AS(reset_options) void reset_options() { module().options = {}; }
 
 // Makes the scene of the mesh, which is then empty again.
 SIGHTLINE_EXPORT_AS(load) int load() {
   Module& m = module();
   m.views.reset();
   m.scene.reset();
-  auto loaded = bindings::load(std::exchange(m.mesh, {}), m.load_options, progress_watch());
+  auto loaded = bindings::load(std::exchange(m.mesh, {}), m.options.load, progress_watch());
   if (!loaded) return fail(std::move(loaded.error()));
   m.scene = *std::move(loaded);
   return 1;
@@ -440,17 +311,17 @@ SIGHTLINE_EXPORT_AS(load) int load() {
 SIGHTLINE_EXPORT_AS(draw) int draw() {
   Module& m = module();
   const base::Watch watch = progress_watch();
-  const bool prepared = m.views && m.prepared_options == m.view_options;
+  const bool prepared = m.views && m.views_text == m.options.draw_text();
   if (!prepared) {
     m.views.reset();
-    const auto checked = bindings::view_options(m.request.options, *m.scene);
+    const auto checked = bindings::view_options(m.options.draw, *m.scene);
     if (!checked) return fail(checked.error());
     auto views = hidden_lines::Views::of(*m.scene, *checked, {}, watch.part(0, 0.3));
     if (!views) return fail(std::move(views.error()));
     m.views = *std::move(views);
-    m.prepared_options = m.view_options;
+    m.views_text = m.options.draw_text();
   }
-  auto drawn = bindings::draw(*m.scene, *m.views, m.request.camera, m.request.options, prepared ? watch : watch.part(0.3, 1));
+  auto drawn = bindings::draw(*m.scene, *m.views, m.options.camera, m.options.draw, prepared ? watch : watch.part(0.3, 1));
   if (!drawn) return fail(std::move(drawn.error()));
   m.drawing = *std::move(drawn);
   return 1;
@@ -461,7 +332,7 @@ SIGHTLINE_EXPORT_AS(file) int file(std::uint32_t bytes) {
   Module& m = module();
   Drawing drawing;
   drawing.picture = std::make_shared<const Drawing::Picture>(picture_of(std::string_view(m.buffer).substr(0, bytes)));
-  auto written = bindings::file_of(drawing, m.file_options);
+  auto written = bindings::file_of(drawing, m.options.file);
   if (!written) return fail(std::move(written.error()));
   m.answer = *std::move(written);
   return 1;
