@@ -53,8 +53,8 @@ try:
     driver.get(place + "/example.html")
     wait("document.documentElement.dataset.drawn === '1'", "the first drawing")
     message = driver.execute_script("return document.getElementById('message').textContent")
-    # 96 x 12 quadrangles, two triangles each.
-    check("2304 faces" in message, message)
+    # 192 x 16 quadrangles, two triangles each.
+    check("6144 faces" in message, message)
     check(driver.execute_script("return document.querySelectorAll('path.silhouette').length") == 1, "silhouettes are drawn")
     check(driver.execute_script("return document.querySelectorAll('path.hidden').length") == 0, "no hidden lines")
     driver.execute_script("document.getElementById('hidden').click()")
