@@ -4,7 +4,7 @@
 //   node calls_test.mjs PACKAGE_FOLDER
 
 import assert from 'node:assert/strict';
-import {cpSync, readFileSync, writeFileSync} from 'node:fs';
+import {cpSync, readFileSync, renameSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {pathToFileURL} from 'node:url';
 
@@ -332,6 +332,36 @@ const tests = {
       assert.equal((await scene.draw({view: 'front'})).svg(), front);
       scene.free();
     }
+  },
+
+  async 'a missing file is an error, and the next call looks for it again'() {
+    const broken = `${folder}-broken`;
+    cpSync(folder, broken, {recursive: true});
+    const missing = name => renameSync(join(broken, name), join(broken, `${name}.away`));
+    const there = name => renameSync(join(broken, `${name}.away`), join(broken, name));
+    missing('sightline.wasm');
+    const {hiddenLines: draw} = await import(pathToFileURL(join(broken, 'index.js')));
+    const error = await errorOf(() => draw(cube()));
+    assert.equal(error.kind, 'io');
+    assert.match(error.message, /sightline\.wasm: ENOENT/);
+    there('sightline.wasm');
+    assert.equal(lengthOf(await draw(cube(), {view: 'iso'})), 9);
+    missing('worker.js');
+    const unstarted = await errorOf(() => draw(cube(), {worker: true}));
+    assert.equal(unstarted.kind, 'io');
+    assert.match(unstarted.message, /^the worker failed: /);
+    there('worker.js');
+    assert.equal(lengthOf(await draw(cube(), {view: 'iso', worker: true})), 9);
+  },
+
+  // Two thousand instances one after the other, some kept.
+  async 'memory of scenes is given up'() {
+    const kept = [];
+    for (let n = 0; n < 2000; ++n) {
+      const scene = await Scene.of(cube());
+      if (n % 20 === 0) kept.push(scene);
+    }
+    for (const scene of kept) assert.equal(lengthOf(await scene.draw({view: 'iso'})), 9);
   },
 };
 
