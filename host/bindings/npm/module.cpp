@@ -226,7 +226,8 @@ constexpr Getter getters[] = {
     {"error.expected", [](const Module& m) { return m.error.expected; }},
     {"error.message", [](const Module& m) { return m.error.message(); }},
     {"scene.counts", [](const Module& m) {
-       return bytes_of_numbers(static_cast<std::uint32_t>(scene::face_count(m.scene->scene)), static_cast<std::uint32_t>(m.scene->scene.vertices.size()));
+       const scene::PolyScene& scene = m.scene->scene;
+       return bytes_of_numbers(static_cast<std::uint32_t>(scene::face_count(scene)), static_cast<std::uint32_t>(scene.vertices.size()));
      }},
     {"scene.bounds", [](const Module& m) {
        const scene::PolyBounds bounds = scene::bounds_of(m.scene->scene);
@@ -240,7 +241,8 @@ constexpr Getter getters[] = {
     {"lineEdges", [](const Module& m) { return column(m.drawing.line_edges, number); }},
     {"lineEdgeOffsets", [](const Module& m) { return offsets(m.drawing.lines, &Line::edge_count); }},
     {"parts.edges", [](const Module& m) { return column(m.drawing.parts, [](const Part& p) { return p.edge; }); }},
-    {"parts.fractions", [](const Module& m) { return column(m.drawing.parts, [](const Part& p) { return std::array{p.low, p.high}; }); }},
+    {"parts.fractions",
+     [](const Module& m) { return column(m.drawing.parts, [](const Part& p) { return std::array{p.low, p.high}; }); }},
     {"parts.hidden", [](const Module& m) { return column(m.drawing.parts, [](const Part& p) { return p.hidden; }); }},
     {"parts.hiddenBy", [](const Module& m) { return column(m.drawing.parts, [](const Part& p) { return p.hidden_by; }); }},
     {"edges.kinds", [](const Module& m) { return column(m.drawing.edges, [](const Edge& e) { return e.kind; }); }},
@@ -281,7 +283,8 @@ SIGHTLINE_EXPORT_AS(vertices) void* vertices(std::uint32_t count) { return resiz
 // Another array of the mesh: 0 corners, 1 ring_sizes, 2 face_rings, 3 bodies, 4 line_points, 5 line_sizes.
 SIGHTLINE_EXPORT_AS(numbers) void* numbers(int array, std::uint32_t count) {
   Mesh& mesh = module().mesh;
-  std::vector<std::uint32_t>* const arrays[] = {&mesh.corners, &mesh.ring_sizes, &mesh.face_rings, &mesh.bodies, &mesh.line_points, &mesh.line_sizes};
+  std::vector<std::uint32_t>* const arrays[] = {&mesh.corners, &mesh.ring_sizes,  &mesh.face_rings,
+                                                &mesh.bodies,  &mesh.line_points, &mesh.line_sizes};
   return resized(*arrays[array], count);
 }
 
@@ -310,6 +313,7 @@ SIGHTLINE_EXPORT_AS(load) int load() {
 // Makes the drawing. What views with equal options share is computed once.
 SIGHTLINE_EXPORT_AS(draw) int draw() {
   Module& m = module();
+  m.drawing = {};
   const base::Watch watch = progress_watch();
   const bool prepared = m.views && m.views_text == m.options.draw_text();
   if (!prepared) {
