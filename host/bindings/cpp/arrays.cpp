@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -14,12 +15,6 @@
 #include "host/scene/model/file_units.hpp"
 
 namespace sightline {
-
-struct Drawing::Picture {
-  picture::VectorDrawing drawing;
-  double width = 0;
-  double height = 0;
-};
 
 namespace bindings {
 namespace {
@@ -63,7 +58,7 @@ class Rings {
     const std::uint32_t size = mesh_.ring_sizes[ring_++];
     const auto begin = mesh_.corners.begin() + static_cast<std::ptrdiff_t>(corner_);
     corner_ += size;
-    return {begin, begin + size};
+    return {begin, begin + static_cast<std::ptrdiff_t>(size)};
   }
 
  private:
@@ -94,6 +89,9 @@ std::optional<base::Error> fault_of(const Mesh& mesh) {
   const std::size_t faces = mesh.face_rings.empty() ? mesh.ring_sizes.size() : mesh.face_rings.size();
   if (!mesh.bodies.empty() && mesh.bodies.size() != faces)
     return fault("bodies", fmt::format("{} numbers", mesh.bodies.size()), fmt::format("{}, one for each face", faces));
+  for (std::size_t i = 0; i < faces && !mesh.bodies.empty(); ++i)
+    if (mesh.bodies[i] >= faces)
+      return fault(fmt::format("bodies[{}]", i), fmt::format("{}", mesh.bodies[i]), fmt::format("a number below {}, the number of faces", faces));
   const auto at_least = [&](std::string_view name, const std::vector<std::uint32_t>& sizes, std::uint32_t least) -> std::optional<base::Error> {
     for (std::size_t i = 0; i < sizes.size(); ++i)
       if (sizes[i] < least) return fault(fmt::format("{}[{}]", name, i), fmt::format("{}", sizes[i]), fmt::format("at least {}", least));
@@ -135,6 +133,16 @@ scene::PolyMesh poly_mesh(const Mesh& mesh) {
   return result;
 }
 
+// In the scene, faces have the numbers of poly_mesh, which are in the order of the bodies.
+void number_as_given(scene::PolyScene& scene, const Mesh& mesh) {
+  if (mesh.bodies.empty()) return;
+  std::vector<std::uint32_t> given(mesh.bodies.size());
+  std::iota(given.begin(), given.end(), 0U);
+  std::stable_sort(given.begin(), given.end(), [&](std::uint32_t a, std::uint32_t b) { return mesh.bodies[a] < mesh.bodies[b]; });
+  if (scene.face_in_file.empty()) scene.face_in_file = given;
+  else for (std::uint32_t& face : scene.face_in_file) face = given[face];
+}
+
 hidden_lines::Aim aim_of(const Camera& camera) {
   return {.view = camera.view, .perspective = camera.perspective, .direction = camera.direction, .eye = camera.eye,
           .look_at = camera.look_at, .up = camera.up, .vertical = camera.vertical};
@@ -160,7 +168,9 @@ base::Result<hidden_lines::Scene> load(const Mesh& mesh, const LoadOptions& opti
   const auto checked = load_options(options, watch);
   if (!checked) return checked.error();
   if (auto fault = fault_of(mesh)) return std::move(*fault);
-  return hidden_lines::load(poly_mesh(mesh), *checked);
+  auto loaded = hidden_lines::load(poly_mesh(mesh), *checked);
+  if (loaded) number_as_given(loaded->scene, mesh);
+  return loaded;
 }
 
 base::Result<hidden_lines::ViewOptions> view_options(const DrawOptions& options, const hidden_lines::Scene& scene) {
