@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -100,6 +101,9 @@ std::optional<base::Error> fault_of(const Mesh& mesh) {
         return fault(fmt::format("{}[{}]", name, i), fmt::format("vertex {}", numbers[i]), fmt::format("a number below {}", mesh.vertices.size()));
     return std::nullopt;
   };
+  // So many bodies are made as the largest number says.
+  for (std::size_t f = 0; f < mesh.bodies.size(); ++f)
+    if (mesh.bodies[f] >= faces) return fault(fmt::format("bodies[{}]", f), fmt::format("body {}", mesh.bodies[f]), fmt::format("a number below {}, that of faces", faces));
   if (auto found = in_range("corners", mesh.corners)) return found;
   return in_range("line_points", mesh.line_points);
 }
@@ -127,6 +131,18 @@ scene::PolyMesh poly_mesh(const Mesh& mesh) {
   return result;
 }
 
+// A scene counts the faces of a mesh body by body; sets the numbers that they have in the mesh.
+void number_faces(const Mesh& mesh, scene::PolyScene& scene) {
+  std::vector<std::uint32_t> order(mesh.bodies.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&mesh](std::uint32_t a, std::uint32_t b) { return mesh.bodies[a] < mesh.bodies[b]; });
+  if (scene.face_in_file.empty()) {
+    scene.face_in_file = std::move(order);
+    return;
+  }
+  for (std::uint32_t& face : scene.face_in_file) face = order[face];
+}
+
 hidden_lines::Aim aim_of(const Camera& camera) {
   return {.view = camera.view, .perspective = camera.perspective, .direction = camera.direction, .eye = camera.eye,
           .look_at = camera.look_at, .up = camera.up, .vertical = camera.vertical};
@@ -152,7 +168,9 @@ base::Result<hidden_lines::Scene> load(const Mesh& mesh, const LoadOptions& opti
   const auto checked = load_options(options, watch);
   if (!checked) return checked.error();
   if (auto fault = fault_of(mesh)) return std::move(*fault);
-  return hidden_lines::load(poly_mesh(mesh), *checked);
+  auto loaded = hidden_lines::load(poly_mesh(mesh), *checked);
+  if (loaded && !mesh.bodies.empty()) number_faces(mesh, loaded->scene);
+  return loaded;
 }
 
 base::Result<hidden_lines::ViewOptions> view_options(const DrawOptions& options, const hidden_lines::Scene& scene) {

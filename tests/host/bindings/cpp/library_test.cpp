@@ -133,6 +133,27 @@ TEST(Library, AHiddenPartNamesTheFaceThatHidesIt) {
   EXPECT_EQ(line.face_count, 0U);
 }
 
+TEST(Library, FacesAreNumberedAsInTheMeshThoughBodiesAlternate) {
+  // Triangles one behind the other: the first and the third are body 1.
+  Mesh mesh;
+  for (const double z : {0.0, 5.0, 10.0, 15.0}) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {4.0, 0.0}, {0.0, 4.0}}) mesh.vertices.push_back({x, y, z});
+    mesh.add_face(std::array{first, first + 1, first + 2});
+  }
+  mesh.bodies = {1, 0, 1, 0};
+  for (const bool mend : {true, false}) {
+    const Drawing drawing = Scene(mesh, {.mend = mend}).draw({.view = "iso"});
+    EXPECT_EQ(drawing.edges.size(), 12U);
+    for (const Edge& edge : drawing.edges) {
+      ASSERT_EQ(edge.face_count, 1U);
+      const std::uint32_t face = drawing.faces[edge.first_face];
+      EXPECT_EQ(face, edge.vertices[0] / 3);
+      EXPECT_EQ(edge.body, mesh.bodies[face]);
+    }
+  }
+}
+
 TEST(Library, PartsOfEveryEdgeAreItsWholeLengthAndLinesAreOfTheirEdges) {
   const Scene scene(many_boxes(6));
   const Drawing drawing = scene.draw({.eye = sightline::Point{40, 30, 45}}, {.hidden = true});
@@ -190,6 +211,7 @@ TEST(Library, DamageOfArraysIsNamedWithItsPlace) {
   EXPECT_EQ(damaged([](Mesh& m) { m.ring_sizes[0] = 2, m.ring_sizes[1] = 6; }), "mesh: ring_sizes[0]: found 2, expected at least 3");
   EXPECT_EQ(damaged([](Mesh& m) { m.face_rings = {1, 1, 1, 1, 1}; }), "mesh: face_rings: found numbers with the sum 5, expected 6, the number of rings");
   EXPECT_EQ(damaged([](Mesh& m) { m.bodies = {0}; }), "mesh: bodies: found 1 numbers, expected 6, one for each face");
+  EXPECT_EQ(damaged([](Mesh& m) { m.bodies = {0, 0, 0, 0, 0, 4000000000}; }), "mesh: bodies[5]: found body 4000000000, expected a number below 6, that of faces");
   EXPECT_EQ(damaged([](Mesh& m) { m.line_sizes = {2}, m.line_points = {0}; }), "mesh: line_sizes: found sizes with the sum 2, expected 1, the number of line_points");
   EXPECT_EQ(damaged([](Mesh& m) { m = Mesh(); }), "mesh: found no faces, expected a mesh; points alone make no drawing");
   Mesh open = cube();
