@@ -136,7 +136,8 @@ struct Camera {
 // --------------------------------------------------------------------------------------------------------- Drawings
 
 struct DrawOptions {
-  // Which edges are drawn: "feature", "all", or kinds separated by commas (see Kind). "feature": all kinds but flat.
+  // Which edges are drawn: "feature" (all kinds but flat), "all", or some of silhouette, boundary, crease, border, intersection and
+  // wire (polylines), separated by commas.
   std::string edges = "feature";
   double crease = 30;   // degrees: the least angle between the faces at a crease
   bool hidden = false;  // also the hidden parts

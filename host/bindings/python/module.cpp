@@ -50,7 +50,10 @@ class Call {
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     if (progress_.is_none()) return true;
     const py::object result = progress_(done);
-    return result.is_none() || result.cast<bool>();
+    if (result.is_none()) return true;
+    const int truth = PyObject_IsTrue(result.ptr());
+    if (truth < 0) throw py::error_already_set();
+    return truth != 0;
   }
 
   static thread_local Call* current;

@@ -149,6 +149,7 @@ class Drawing:
         """The drawing as the bytes of a file, in which its unit is a millimetre.
 
         format    svg, pdf, dxf, hpgl, png or steps
+        title     is written into SVG and PDF files
         margin    mm around the drawing, added to its width and height
         pen       mm: width of a line, in SVG, PDF and PNG
         dpi       pixels per inch, in PNG
@@ -223,8 +224,8 @@ class Scene:
                holes clockwise. Faces around a closed volume are a solid, whichever way they are turned; other faces are sheets,
                visible from both sides. Faces of four corners and more that are not planar become triangles
     polylines  (m, k) integer array, k at least 2, or a sequence of sequences: lines that hide nothing
-    bodies     (number of faces,) integers from 0, less than the number of faces: the body of each face. None: faces that an edge
-               joins are one body
+    bodies     (number of faces,) integers from 0, less than the number of faces: the body of each face. Numbers without a face
+               are left out of `Scene.bodies`. None: faces that an edge joins are one body
     mend       repair damage: join vertices at one place, turn faces, split faces that are not planar, leave out faces without
                area, close cracks that rounding makes. False: the first damage raises InputError
     weld       vertices at most this far apart become one, in the unit of the mesh
@@ -334,8 +335,8 @@ class Scene:
 
         The drawing:
 
-        edges        which edges are drawn: "feature" (all kinds but flat), "all", or names of `Kind` in small letters, separated
-                     by commas
+        edges        which edges are drawn: "feature" (all kinds but flat), "all", or some of silhouette, boundary, crease, border,
+                     intersection and wire (polylines), separated by commas. Junctions are drawn with every choice
         crease       degrees: the least angle between the faces at a crease
         hidden       also the hidden parts
         width, height

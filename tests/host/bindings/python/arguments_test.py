@@ -53,8 +53,8 @@ class Accepted(unittest.TestCase):
         vertices = SQUARE + HOLE + [(0, 5, -3), (9, 5, -3)]
         drawing = hidden_lines(vertices, [((0, 1, 2, 3), [(4, 5, 6, 7)])], direction=(0, 0, -1), hidden=True, polylines=[(8, 9)])
         parts = drawing.edge_kinds[drawing.part_edges] == sightline.Kind.POLYLINE
-        self.assertEqual(drawing.part_hidden[parts].tolist(), [True, False, True])
-        self.assertEqual(drawing.part_fractions[parts][1].tolist(), [[1, 3], [2, 3]])
+        self.assertEqual(drawing.part_fractions[parts & ~drawing.part_hidden].tolist(), [[[1, 3], [2, 3]]])
+        self.assertEqual(set(drawing.part_hidden_by[parts & drawing.part_hidden].tolist()), {0})
         for faces in ([([0, 1, 2, 3], [[4, 5, 6, 7]])], [(np.array([0, 1, 2, 3]), (np.array([4, 5, 6, 7]),))]):
             self.assertEqual(Scene(vertices, faces, polylines=np.array([[8, 9]])).draw(direction=(0, 0, -1), hidden=True).file(), drawing.file())
 
@@ -160,7 +160,7 @@ class Wrong(unittest.TestCase):
             self.check_scene("mesh: found no faces, expected a mesh; points alone make no drawing", CUBE, faces)
             self.check_scene("mesh: found no faces, expected a mesh; points alone make no drawing", np.empty((0, 3)), faces)
         # One triangle without area.
-        self.check_scene("mesh: found ...", [(0, 0, 0), (1, 1, 1), (2, 2, 2)], [(0, 1, 2)])
+        self.check_scene("mesh: no face...", [(0, 0, 0), (1, 1, 1), (2, 2, 2)], [(0, 1, 2)])
 
     def test_options_of_the_scene(self):
         def check(expected, kind="bad_input", **options):
@@ -212,7 +212,7 @@ class Wrong(unittest.TestCase):
 
         for name in ("width", "height", "scale"):
             for value in (0, -1, 2e9, float("nan")):
-                check_all(f"{name}: found {value:.12g}, expected a number above 0, at most 1e9".replace("2000000000", "2000000000"), **{name: value})
+                check_all(f"{name}: found {value:.12g}, expected a number above 0, at most 1e9", **{name: value})
             check_all(f"{name}: found 'a', expected a number", "bad_input", **{name: "a"})
             check_all(f"{name}: found 1j, expected a number", "bad_input", **{name: 1j})
         check_all("field: found 171, expected degrees above 0, at most 170", field=171)
