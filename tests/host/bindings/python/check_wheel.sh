@@ -45,19 +45,21 @@ END
 found=$(PYTHONPATH="$work/installed" "$python" program.py)
 version=$(echo "$wheel" | sed 's/.*sightline-\([0-9.]*\)-.*/\1/')
 [ "$found" = "12 3 $version" ] || fail "the program printed $found, expected 12 3 $version"
-# Nine visible edges of a cube and three hidden ones, dashed, on 220 mm of paper.
+# On 220 mm of paper six lines of a cube are silhouettes, three are creases, and the hidden ones are dashes.
 "$python" - cube.svg << 'END'
 import re
 import sys
 import xml.etree.ElementTree as tree
 
+name = "{http://www.w3.org/2000/svg}"
 svg = tree.parse(sys.argv[1]).getroot()
-assert svg.tag == "{http://www.w3.org/2000/svg}svg" and svg.get("width") == svg.get("height") == "220.000mm", svg.attrib
-ends = 0
-dashed = 0
-for group in svg.iter("{http://www.w3.org/2000/svg}g"):
-    paths = group.findall("{http://www.w3.org/2000/svg}path")
-    ends += sum(len(re.findall(r"-?[0-9.]+ ?-?[0-9.]+", path.get("d"))) - path.get("d").count("M") for path in paths)
-    dashed += any("stroke-dasharray" in element.attrib for element in (group, *paths))
-assert ends == 12 and dashed == 1, (ends, dashed)
+assert svg.tag == name + "svg" and svg.get("width") == svg.get("height") == "220.000mm", svg.attrib
+lines = {}
+for group in svg.iter(name + "g"):
+    paths = [path.get("d") for path in group.iter(name + "path")]
+    points = sum(len(re.findall(r"-?[0-9.]+", path)) // 2 for path in paths)
+    lines[group.get("{http://www.inkscape.org/namespaces/inkscape}label")] = points - len(paths)
+dashes = lines.pop("3 hidden")
+assert lines == {"1 silhouette": 6, "2 crease": 3}, lines
+assert dashes > 30, dashes
 END
