@@ -92,8 +92,8 @@ using Doubles = py::array_t<double, py::array::c_style>;
 
 std::vector<std::uint32_t> vector_of(const Numbers& numbers) { return {numbers.data(), numbers.data() + numbers.size()}; }
 
-sightline::Mesh mesh_of(const Doubles& vertices, const Numbers& corners, const Numbers& ring_sizes, const Numbers& face_rings, const Numbers& bodies,
-                        const Numbers& line_points, const Numbers& line_sizes) {
+sightline::Mesh mesh_of(const Doubles& vertices, const Numbers& corners, const Numbers& ring_sizes, const Numbers& face_rings,
+                        const Numbers& bodies, const Numbers& line_points, const Numbers& line_sizes) {
   sightline::Mesh mesh;
   static_assert(sizeof(sightline::Point) == 3 * sizeof(double));
   mesh.vertices.resize(static_cast<std::size_t>(vertices.size()) / 3);
@@ -236,8 +236,9 @@ PYBIND11_MODULE(_core, module) {
       });
 
   py::class_<Scene>(module, "Scene")
-      .def(py::init([](const Doubles& vertices, const Numbers& corners, const Numbers& ring_sizes, const Numbers& face_rings, const Numbers& bodies,
-                       const Numbers& line_points, const Numbers& line_sizes, const sightline::LoadOptions& options, const py::object& progress) {
+      .def(py::init([](const Doubles& vertices, const Numbers& corners, const Numbers& ring_sizes, const Numbers& face_rings,
+                       const Numbers& bodies, const Numbers& line_points, const Numbers& line_sizes,
+                       const sightline::LoadOptions& options, const py::object& progress) {
         const sightline::Mesh mesh = mesh_of(vertices, corners, ring_sizes, face_rings, bodies, line_points, line_sizes);
         return unlocked(progress, [&] { return Scene(mesh, options); });
       }))
@@ -246,7 +247,8 @@ PYBIND11_MODULE(_core, module) {
                     return unlocked(progress, [&] { return Scene::load(path, options); });
                   })
       .def("draw",
-           [](const Scene& scene, const sightline::Camera& camera, const sightline::DrawOptions& options, const py::object& progress) {
+           [](const Scene& scene, const sightline::Camera& camera, const sightline::DrawOptions& options,
+              const py::object& progress) {
              return drawing_of(unlocked(progress, [&] { return scene.draw(camera, options); }));
            })
       .def("prepare",

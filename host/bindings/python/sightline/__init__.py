@@ -145,7 +145,16 @@ class Drawing:
     def __repr__(self) -> str:
         return f"<sightline.Drawing: {len(self.lines)} lines, {np.count_nonzero(self.line_hidden)} of them hidden>"
 
-    def file(self, format: str = "svg", *, title: str = "", margin: float = 10, pen: float = 0.2, dpi: float = 150, as_found: bool = False) -> bytes:
+    def file(
+        self,
+        format: str = "svg",
+        *,
+        title: str = "",
+        margin: float = 10,
+        pen: float = 0.2,
+        dpi: float = 150,
+        as_found: bool = False,
+    ) -> bytes:
         """The drawing as the bytes of a file, in which its unit is a millimetre.
 
         format    svg, pdf, dxf, hpgl, png or steps
@@ -166,8 +175,10 @@ class Drawing:
         """The drawing as the text of an SVG file: see `file`."""
         return self.file("svg", title=title, margin=margin, pen=pen, as_found=as_found).decode()
 
-    def save(self, path: Path, *, title: str = "", margin: float = 10, pen: float = 0.2, dpi: float = 150, as_found: bool = False) -> None:
-        """Writes a file whose format its extension says: .svg, .pdf, .dxf, .plt, .hpgl, .png or .steps. Options are those of `file`.
+    def save(
+        self, path: Path, *, title: str = "", margin: float = 10, pen: float = 0.2, dpi: float = 150, as_found: bool = False
+    ) -> None:
+        """Writes a file. Its extension selects the format: .svg, .pdf, .dxf, .plt, .hpgl, .png or .steps. Options: see `file`.
 
         Raises InputError (another extension, a wrong option) and OSError (the file cannot be written).
         """
@@ -460,13 +471,36 @@ def hidden_lines(
 
     _arguments.function(progress)
     scene = Scene(
-        vertices, faces, polylines=polylines, bodies=bodies, mend=mend, weld=weld, planar_tolerance=planar_tolerance, eye=eye, progress=part(0)
+        vertices,
+        faces,
+        polylines=polylines,
+        bodies=bodies,
+        mend=mend,
+        weld=weld,
+        planar_tolerance=planar_tolerance,
+        eye=eye,
+        progress=part(0),
     )
     return scene.draw(
-        view, direction=direction, eye=eye, look_at=look_at, up=up, vertical=vertical, perspective=perspective, edges=edges, crease=crease,
-        hidden=hidden, width=width, height=height, scale=scale, field=field, min_length=min_length, jobs=jobs, certificate=certificate,
+        view,
+        direction=direction,
+        eye=eye,
+        look_at=look_at,
+        up=up,
+        vertical=vertical,
+        perspective=perspective,
+        edges=edges,
+        crease=crease,
+        hidden=hidden,
+        width=width,
+        height=height,
+        scale=scale,
+        field=field,
+        min_length=min_length,
+        jobs=jobs,
+        certificate=certificate,
         progress=part(0.5),
-    )  # fmt: skip
+    )
 
 
 def view_names() -> list[str]:

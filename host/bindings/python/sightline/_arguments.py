@@ -56,11 +56,27 @@ def _jobs(name, value):
 
 
 _LOAD = {"mend": _flag, "weld": _number, "planar_tolerance": _number, "unit": _text, "eye": _point}
-_CAMERA = {"view": _text, "perspective": _flag, "direction": _point, "eye": _point, "look_at": _point, "up": _point, "vertical": _text}
+_CAMERA = {
+    "view": _text,
+    "perspective": _flag,
+    "direction": _point,
+    "eye": _point,
+    "look_at": _point,
+    "up": _point,
+    "vertical": _text,
+}
 _DRAW = {
-    "edges": _text, "crease": _number, "hidden": _flag, "width": _number, "height": _number, "scale": _number, "field": _number,
-    "min_length": _number, "jobs": _jobs, "certificate": _flag,
-}  # fmt: skip
+    "edges": _text,
+    "crease": _number,
+    "hidden": _flag,
+    "width": _number,
+    "height": _number,
+    "scale": _number,
+    "field": _number,
+    "min_length": _number,
+    "jobs": _jobs,
+    "certificate": _flag,
+}
 _FILE = {"format": _text, "title": _text, "margin": _number, "pen": _number, "dpi": _number, "as_found": _flag}
 _CHECKS = {"LoadOptions": _LOAD, "Camera": _CAMERA, "DrawOptions": _DRAW, "FileOptions": _FILE}
 
@@ -116,7 +132,9 @@ def _numbers(values, place, below, noun):
     bad = values >= below if values.dtype.kind == "u" else (values < 0) | (values >= below)
     if bad.any():
         i = int(np.argmax(bad))
-        raise wrong(place(i), f"{noun} {values[i]}", f"a number from 0 to {below - 1}" if below > 0 else "none, as there are no vertices")
+        raise wrong(
+            place(i), f"{noun} {values[i]}", f"a number from 0 to {below - 1}" if below > 0 else "none, as there are no vertices"
+        )
     return values.astype(np.uint32)
 
 
@@ -136,7 +154,9 @@ class _Rings:
         if table.ndim != 2 or table.shape[1] < least:
             raise wrong(argument, f"an array of shape {table.shape}", f"(m, k) with k at least {least}")
         m, k = table.shape
-        self.numbers = _numbers(table.reshape(-1), lambda i: argument if i is None else f"{argument}[{i // k}][{i % k}]", vertex_count, "vertex")
+        self.numbers = _numbers(
+            table.reshape(-1), lambda i: argument if i is None else f"{argument}[{i // k}][{i % k}]", vertex_count, "vertex"
+        )
         self.sizes = np.full(m, k, np.uint32)
 
     def _from_rows(self, argument, rows, vertex_count, least, holes):
@@ -181,7 +201,7 @@ def _first_without_length(rows):
 
 
 def _with_holes(argument, faces):
-    """The rings of faces of which some are pairs of an outline and a list of holes, their names, and the number of rings of each face."""
+    """The rings of faces, some of which are pairs of an outline and a list of holes; their names; how many each face has."""
     rings, names, counts = [], [], []
     for f, face in enumerate(faces):
         if len(face) == 2 and not isinstance(face[0], numbers.Integral):

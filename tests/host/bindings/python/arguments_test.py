@@ -45,8 +45,10 @@ class Accepted(unittest.TestCase):
         faces = [(0, 1, 2, 3), (1, 0, 4), [2, 1, 4], np.array([3, 2, 4]), (0, 3, 4)]
         drawing = hidden_lines(vertices, faces, "iso", hidden=True)
         self.assertEqual(len(drawing.edge_kinds), 8)
-        self.assertEqual({tuple(sorted(pair)) for pair in drawing.edge_vertices.tolist()},
-                         {(0, 1), (1, 2), (2, 3), (0, 3), (0, 4), (1, 4), (2, 4), (3, 4)})
+        self.assertEqual(
+            {tuple(sorted(pair)) for pair in drawing.edge_vertices.tolist()},
+            {(0, 1), (1, 2), (2, 3), (0, 3), (0, 4), (1, 4), (2, 4), (3, 4)},
+        )
 
     def test_a_hole_shows_what_is_behind_it(self):
         # A line from one side of the square to the other is hidden by the frame only.
@@ -56,7 +58,9 @@ class Accepted(unittest.TestCase):
         self.assertEqual(drawing.part_fractions[parts & ~drawing.part_hidden].tolist(), [[[1, 3], [2, 3]]])
         self.assertEqual(set(drawing.part_hidden_by[parts & drawing.part_hidden].tolist()), {0})
         for faces in ([([0, 1, 2, 3], [[4, 5, 6, 7]])], [(np.array([0, 1, 2, 3]), (np.array([4, 5, 6, 7]),))]):
-            self.assertEqual(Scene(vertices, faces, polylines=np.array([[8, 9]])).draw(direction=(0, 0, -1), hidden=True).file(), drawing.file())
+            self.assertEqual(
+                Scene(vertices, faces, polylines=np.array([[8, 9]])).draw(direction=(0, 0, -1), hidden=True).file(), drawing.file()
+            )
 
     def test_bodies_are_counted(self):
         faces = [(0, 1, 2), (3, 4, 5)]
@@ -69,7 +73,10 @@ class Accepted(unittest.TestCase):
     def test_options_of_numpy_types(self):
         scene = Scene(CUBE, CUBE_FACES)
         expected = scene.draw(eye=(30, 40, 50), hidden=True, width=100, jobs=2).file()
-        self.assertEqual(scene.draw(eye=np.array([30, 40, 50], np.int16), hidden=np.True_, width=np.float32(100), jobs=np.int64(2)).file(), expected)
+        self.assertEqual(
+            scene.draw(eye=np.array([30, 40, 50], np.int16), hidden=np.True_, width=np.float32(100), jobs=np.int64(2)).file(),
+            expected,
+        )
         self.assertEqual(scene.draw(eye=[30, 40, 50], hidden=True, width=Fraction(100), jobs=2).file(), expected)
 
     def test_a_path_may_be_an_object_and_need_not_be_utf_8(self):
@@ -106,7 +113,9 @@ class Wrong(unittest.TestCase):
         self.check_scene("vertices: found an array of shape (24,), expected (n, 3)", CUBE.reshape(-1), CUBE_FACES)
         self.check_scene("vertices: found an array of shape (), expected (n, 3)", None, CUBE_FACES)
         self.check_scene("vertices: found an array of shape (0,), expected (n, 3)", [], CUBE_FACES)
-        self.check_scene("vertices: found rows of different lengths, expected an array of shape (n, 3)", [(0, 0, 0), (1, 2)], CUBE_FACES)
+        self.check_scene(
+            "vertices: found rows of different lengths, expected an array of shape (n, 3)", [(0, 0, 0), (1, 2)], CUBE_FACES
+        )
         for dtype, name in ((complex, "complex128"), (bool, "bool"), (str, "<U21"), (object, "object")):
             self.check_scene(f"vertices: found elements of type {name}, expected real numbers", CUBE.astype(dtype), CUBE_FACES)
         for value, name in ((np.nan, "nan"), (np.inf, "inf"), (-np.inf, "-inf")):
@@ -122,17 +131,30 @@ class Wrong(unittest.TestCase):
             self.check_scene(text, CUBE, damaged)
             self.check_scene(text, CUBE, damaged.tolist())
             self.check_scene(text, CUBE, [*damaged.tolist()[:5], (damaged[5], [])][:5] + [damaged[5]])
-        self.check_scene("faces[1][0][3]: found vertex 9, expected a number from 0 to 7", SQUARE + HOLE, [(0, 1, 2), ((0, 1, 2, 9), [(4, 5, 6, 7)])])
-        self.check_scene("faces[1][1][1][2]: found vertex 9, expected a number from 0 to 7", SQUARE + HOLE,
-                         [(0, 1, 2), ((0, 1, 2, 3), [(4, 5, 6), (4, 6, 9)]), (1, 2, 3)])
+        self.check_scene(
+            "faces[1][0][3]: found vertex 9, expected a number from 0 to 7",
+            SQUARE + HOLE,
+            [(0, 1, 2), ((0, 1, 2, 9), [(4, 5, 6, 7)])],
+        )
+        self.check_scene(
+            "faces[1][1][1][2]: found vertex 9, expected a number from 0 to 7",
+            SQUARE + HOLE,
+            [(0, 1, 2), ((0, 1, 2, 3), [(4, 5, 6), (4, 6, 9)]), (1, 2, 3)],
+        )
         self.check_scene("faces[0][1][0]: found 2 vertex numbers, expected at least 3", SQUARE + HOLE, [((0, 1, 2, 3), [(4, 5)])])
-        self.check_scene("faces[0][1]: found 7, expected a list of holes, each a sequence of vertex numbers", SQUARE, [((0, 1, 2, 3), 7)])
-        self.check_scene("faces[0][1][0]: found 4, expected a sequence of vertex numbers", SQUARE + HOLE, [((0, 1, 2, 3), [4, 5, 6, 7])])
+        self.check_scene(
+            "faces[0][1]: found 7, expected a list of holes, each a sequence of vertex numbers", SQUARE, [((0, 1, 2, 3), 7)]
+        )
+        self.check_scene(
+            "faces[0][1][0]: found 4, expected a sequence of vertex numbers", SQUARE + HOLE, [((0, 1, 2, 3), [4, 5, 6, 7])]
+        )
         self.check_scene("faces[1]: found 2 vertex numbers, expected at least 3", CUBE, [(0, 1, 2), (0, 1)])
         self.check_scene("faces[0]: found 0 vertex numbers, expected at least 3", CUBE, [()])
         self.check_scene("faces: found an array of shape (24,), expected (m, k) with k at least 3", CUBE, CUBE_FACES.reshape(-1))
         self.check_scene("faces: found an array of shape (6, 2), expected (m, k) with k at least 3", CUBE, CUBE_FACES[:, :2])
-        self.check_scene("faces: found an array of shape (3, 2, 4), expected (m, k) with k at least 3", CUBE, CUBE_FACES.reshape(3, 2, 4))
+        self.check_scene(
+            "faces: found an array of shape (3, 2, 4), expected (m, k) with k at least 3", CUBE, CUBE_FACES.reshape(3, 2, 4)
+        )
         for dtype in (float, complex, bool):
             text = f"faces: found elements of type {np.dtype(dtype)}, expected whole numbers"
             self.check_scene(text, CUBE, CUBE_FACES.astype(dtype))
@@ -142,17 +164,29 @@ class Wrong(unittest.TestCase):
         self.check_scene("faces: found elements of type object, expected whole numbers", CUBE, [(0, 1, None)])
         self.check_scene("faces: found 5, expected a sequence of vertex numbers for each", CUBE, 5)
         self.check_scene("faces: found 0 as element 0, expected a sequence of vertex numbers for each", CUBE, [0, 1, 2])
-        self.check_scene("faces: found sequences within the sequences, expected a sequence of vertex numbers for each", CUBE, CUBE_FACES.reshape(2, 3, 4).tolist())
+        self.check_scene(
+            "faces: found sequences within the sequences, expected a sequence of vertex numbers for each",
+            CUBE,
+            CUBE_FACES.reshape(2, 3, 4).tolist(),
+        )
         self.check_scene("faces[0][0]: found vertex 0, expected none, as there are no vertices", np.empty((0, 3)), [(0, 1, 2)])
 
     def test_polylines_and_bodies(self):
         self.check_scene("polylines[0][1]: found vertex 8, expected a number from 0 to 7", CUBE, polylines=[(0, 8)])
         self.check_scene("polylines[1]: found 1 vertex numbers, expected at least 2", CUBE, polylines=[(0, 1), (1,)])
-        self.check_scene("polylines: found an array of shape (8, 1), expected (m, k) with k at least 2", CUBE, polylines=np.arange(8)[:, None])
-        self.check_scene("bodies: found an array of shape (5,), expected (6,), a number for each face", CUBE, CUBE_FACES, bodies=[0] * 5)
-        self.check_scene("bodies: found rows of different lengths, expected (6,), a number for each face", CUBE, CUBE_FACES, bodies=[0, [1, 2]])
+        self.check_scene(
+            "polylines: found an array of shape (8, 1), expected (m, k) with k at least 2", CUBE, polylines=np.arange(8)[:, None]
+        )
+        self.check_scene(
+            "bodies: found an array of shape (5,), expected (6,), a number for each face", CUBE, CUBE_FACES, bodies=[0] * 5
+        )
+        self.check_scene(
+            "bodies: found rows of different lengths, expected (6,), a number for each face", CUBE, CUBE_FACES, bodies=[0, [1, 2]]
+        )
         self.check_scene("bodies[1]: found body -1, expected a number from 0 to 5", CUBE, CUBE_FACES, bodies=[0, -1, 0, 0, 0, 0])
-        self.check_scene("bodies[5]: found body 4294967295, expected a number from 0 to 5", CUBE, CUBE_FACES, bodies=[0, 0, 0, 0, 0, 2**32 - 1])
+        self.check_scene(
+            "bodies[5]: found body 4294967295, expected a number from 0 to 5", CUBE, CUBE_FACES, bodies=[0, 0, 0, 0, 0, 2**32 - 1]
+        )
         self.check_scene("bodies: found elements of type float64, expected whole numbers", CUBE, CUBE_FACES, bodies=np.zeros(6))
 
     def test_empty_meshes(self):
@@ -192,7 +226,17 @@ class Wrong(unittest.TestCase):
         check("eye: found besides view, expected one of them", "usage", view="iso", eye=(30, 30, 30))
         check("direction: found 0,0,0, expected a direction", "usage", direction=(0, 0, 0))
         for name in ("direction", "eye", "look_at", "up"):
-            for value in ((1, 2), "abc", 5, (1, 2, float("nan")), (1, float("inf"), 0), [[1, 2, 3]], (1, 2, [3]), (1j, 0, 0), ("1", "2", "3")):
+            for value in (
+                (1, 2),
+                "abc",
+                5,
+                (1, 2, float("nan")),
+                (1, float("inf"), 0),
+                [[1, 2, 3]],
+                (1, 2, [3]),
+                (1j, 0, 0),
+                ("1", "2", "3"),
+            ):
                 check(f"{name}: found {value!r}, expected three finite numbers", **{name: value})
         check('vertical: found "w", expected x, ...', "usage", vertical="w")
         check("perspective: found 'yes', expected True or False", perspective="yes")
@@ -236,7 +280,9 @@ class Wrong(unittest.TestCase):
         drawing = hidden_lines(CUBE, CUBE_FACES)
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "cube")
-            self.check('format: found "bmp", expected svg, pdf, dxf, hpgl, png or steps', lambda: drawing.save(path + ".bmp"), kind="usage")
+            self.check(
+                'format: found "bmp", expected svg, pdf, dxf, hpgl, png or steps', lambda: drawing.save(path + ".bmp"), kind="usage"
+            )
             self.check(f"path: found {path!r}, expected a name that ends in ...", lambda: drawing.save(path))
             self.check("path: found 5, expected the name of a file or of a generated scene", lambda: drawing.save(5))
             self.assertEqual(os.listdir(folder), [])

@@ -53,8 +53,11 @@ class Documentation(unittest.TestCase):
                 if parameter.name not in ("self", "cls"):
                     self.assertNotEqual(parameter.annotation, parameter.empty, f"{function}: {parameter.name}")
         # Arguments of a scene and of a view are explained where they are first named.
-        for function, text in ((sightline.Scene.__init__, sightline.Scene.__doc__), (sightline.Scene.draw, sightline.Scene.draw.__doc__),
-                               (sightline.Drawing.file, sightline.Drawing.file.__doc__)):  # fmt: skip
+        for function, text in (
+            (sightline.Scene.__init__, sightline.Scene.__doc__),
+            (sightline.Scene.draw, sightline.Scene.draw.__doc__),
+            (sightline.Drawing.file, sightline.Drawing.file.__doc__),
+        ):
             for name in inspect.signature(function).parameters:
                 if name != "self":
                     self.assertRegex(text, rf"(?m)^ *(\w+, )?{name}\b", f"{function}: {name}")

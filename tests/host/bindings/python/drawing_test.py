@@ -1,5 +1,6 @@
-"""What a drawing contains: shapes and types of all arrays, and what can be counted by hand. That visibility is right is shown by the
-tests of the algorithm."""
+"""What a drawing contains: shapes and types of all arrays, and what can be counted by hand.
+
+That visibility is right is shown by the tests of the algorithm."""
 import concurrent.futures
 import unittest
 import xml.etree.ElementTree
@@ -11,12 +12,25 @@ from shapes import CUBE, CUBE_FACES, many_boxes
 from sightline import Kind, Scene
 
 TYPES = {
-    "lines": ("n 2 2", "float64"), "line_kinds": ("n", "uint8"), "line_hidden": ("n", "bool"), "line_edges": ("?", "int32"),
-    "line_edge_offsets": ("n+1", "int64"), "part_edges": ("m", "int32"), "part_fractions": ("m 2 2", "int64"), "part_hidden": ("m", "bool"),
-    "part_hidden_by": ("m", "int32"), "edge_kinds": ("k", "uint8"), "edge_ends": ("k 2 3", "float64"), "edge_vertices": ("k 2", "int32"),
-    "edge_faces": ("?", "int32"), "edge_face_offsets": ("k+1", "int64"), "edge_bodies": ("k", "int32"), "eye": ("3", "float64"),
-    "axes": ("3 3", "float64"), "low": ("2", "float64"),
-}  # fmt: skip
+    "lines": ("n 2 2", "float64"),
+    "line_kinds": ("n", "uint8"),
+    "line_hidden": ("n", "bool"),
+    "line_edges": ("?", "int32"),
+    "line_edge_offsets": ("n+1", "int64"),
+    "part_edges": ("m", "int32"),
+    "part_fractions": ("m 2 2", "int64"),
+    "part_hidden": ("m", "bool"),
+    "part_hidden_by": ("m", "int32"),
+    "edge_kinds": ("k", "uint8"),
+    "edge_ends": ("k 2 3", "float64"),
+    "edge_vertices": ("k 2", "int32"),
+    "edge_faces": ("?", "int32"),
+    "edge_face_offsets": ("k+1", "int64"),
+    "edge_bodies": ("k", "int32"),
+    "eye": ("3", "float64"),
+    "axes": ("3 3", "float64"),
+    "low": ("2", "float64"),
+}
 
 
 class Members(unittest.TestCase):
@@ -26,10 +40,15 @@ class Members(unittest.TestCase):
         for name, (shape, dtype) in TYPES.items():
             array = getattr(drawing, name)
             self.assertEqual(array.dtype, np.dtype(dtype), name)
-            expected = [array.shape[i] if word == "?" else sizes.get(word) or int(word if word.isdigit() else 0) for i, word in enumerate(shape.split())]
+            expected = [
+                array.shape[i] if word == "?" else sizes.get(word) or int(word if word.isdigit() else 0)
+                for i, word in enumerate(shape.split())
+            ]
             self.assertEqual(list(array.shape), expected, name)
             self.assertTrue(array.flags.c_contiguous and array.flags.writeable, name)
-        self.assertEqual(set(TYPES) | {"perspective", "scale", "camera_error", "notes", "certificate"}, set(sightline.Drawing.__annotations__))
+        self.assertEqual(
+            set(TYPES) | {"perspective", "scale", "camera_error", "notes", "certificate"}, set(sightline.Drawing.__annotations__)
+        )
 
     def test_every_array_has_its_shape_and_type(self):
         for side in (1, 6):
@@ -115,10 +134,27 @@ class Views(unittest.TestCase):
 
     def test_hidden_lines_takes_the_options_of_both(self):
         vertices, faces = many_boxes(3)
-        options = dict(eye=(40, 30, 45), look_at=(4, 0, 4), up=(1, 2, 0), vertical="z", edges="all", crease=10, hidden=True, width=90, height=80,
-                       field=20, min_length=1, jobs=2, certificate=True)  # fmt: skip
-        one = sightline.hidden_lines(vertices, faces, polylines=[(0, 20)], bodies=np.arange(54) // 6, mend=True, weld=0.001, planar_tolerance=0.01, **options)
-        scene = Scene(vertices, faces, polylines=[(0, 20)], bodies=np.arange(54) // 6, weld=0.001, planar_tolerance=0.01, eye=(40, 30, 45))
+        options = dict(
+            eye=(40, 30, 45),
+            look_at=(4, 0, 4),
+            up=(1, 2, 0),
+            vertical="z",
+            edges="all",
+            crease=10,
+            hidden=True,
+            width=90,
+            height=80,
+            field=20,
+            min_length=1,
+            jobs=2,
+            certificate=True,
+        )
+        one = sightline.hidden_lines(
+            vertices, faces, polylines=[(0, 20)], bodies=np.arange(54) // 6, mend=True, weld=0.001, planar_tolerance=0.01, **options
+        )
+        scene = Scene(
+            vertices, faces, polylines=[(0, 20)], bodies=np.arange(54) // 6, weld=0.001, planar_tolerance=0.01, eye=(40, 30, 45)
+        )
         other = scene.draw(**options)
         for name in TYPES:
             self.assertEqual(getattr(one, name).tobytes(), getattr(other, name).tobytes(), name)
@@ -142,7 +178,14 @@ class Files(unittest.TestCase):
 
     def test_files_have_the_beginning_of_their_format(self):
         drawing = Scene(CUBE, CUBE_FACES).draw()
-        for name, beginning in {"svg": b"<?xml", "pdf": b"%PDF-", "dxf": b"  0\nSECTION", "png": b"\x89PNG", "hpgl": b"IN;", "steps": b""}.items():
+        for name, beginning in {
+            "svg": b"<?xml",
+            "pdf": b"%PDF-",
+            "dxf": b"  0\nSECTION",
+            "png": b"\x89PNG",
+            "hpgl": b"IN;",
+            "steps": b"",
+        }.items():
             self.assertEqual(drawing.file(name)[: len(beginning)], beginning, name)
 
 

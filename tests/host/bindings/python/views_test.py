@@ -49,10 +49,22 @@ def direction(numbers):
 def sum_of(d):
     u32 = np.uint32
     arrays = [
-        d.lines, d.line_kinds, d.line_hidden, np.diff(d.line_edge_offsets).astype(u32), d.line_edges,
-        d.part_edges, d.part_fractions, d.part_hidden, d.part_hidden_by,
-        d.edge_kinds, d.edge_ends, d.edge_vertices, np.diff(d.edge_face_offsets).astype(u32), d.edge_bodies, d.edge_faces,
-    ]  # fmt: skip
+        d.lines,
+        d.line_kinds,
+        d.line_hidden,
+        np.diff(d.line_edge_offsets).astype(u32),
+        d.line_edges,
+        d.part_edges,
+        d.part_fractions,
+        d.part_hidden,
+        d.part_hidden_by,
+        d.edge_kinds,
+        d.edge_ends,
+        d.edge_vertices,
+        np.diff(d.edge_face_offsets).astype(u32),
+        d.edge_bodies,
+        d.edge_faces,
+    ]
     total = 0
     for array in arrays:
         total = zlib.crc32(array, total)
@@ -62,7 +74,9 @@ def sum_of(d):
 class Views(unittest.TestCase):
     def test_sums_are_those_of_the_cpp_library(self):
         seed, count = 20261128, 12
-        expected = subprocess.run([view_sums, str(seed), str(count), str(VIEWS)], check=True, capture_output=True, text=True).stdout.splitlines()
+        expected = subprocess.run(
+            [view_sums, str(seed), str(count), str(VIEWS)], check=True, capture_output=True, text=True
+        ).stdout.splitlines()
         self.assertEqual(len(expected), VIEWS)
         self.assertGreater(len(set(expected)), VIEWS * 0.99)
         numbers = Numbers(seed)
@@ -89,8 +103,12 @@ class Views(unittest.TestCase):
                     self.check(path, scenes, d, os.path.join(folder, "drawing.svg"))
 
     def check(self, path, scenes, d, picture):
-        output = subprocess.run([command, "draw", "exact", path, "--orthographic", ",".join(map(str, d)), "--hidden", "--strokes", "-", "-o", picture],
-                                check=True, capture_output=True, text=True).stdout
+        output = subprocess.run(
+            [command, "draw", "exact", path, "--orthographic", ",".join(map(str, d)), "--hidden", "--strokes", "-", "-o", picture],
+            check=True,
+            capture_output=True,
+            text=True,
+        ).stdout
         strokes = [json.loads(line) for line in output.splitlines()]
         for scene in scenes:
             drawing = scene.draw(direction=d, hidden=True, width=180, height=180)
@@ -101,7 +119,11 @@ class Views(unittest.TestCase):
             for line, stroke in enumerate(strokes):
                 edges = drawing.line_edges[drawing.line_edge_offsets[line] : drawing.line_edge_offsets[line + 1]]
                 self.assertEqual(drawing.edge_ends[edges].tolist(), stroke["edges"])
-                found = {int(f) for e in edges for f in drawing.edge_faces[drawing.edge_face_offsets[e] : drawing.edge_face_offsets[e + 1]]}
+                found = {
+                    int(f)
+                    for e in edges
+                    for f in drawing.edge_faces[drawing.edge_face_offsets[e] : drawing.edge_face_offsets[e + 1]]
+                }
                 self.assertEqual(sorted(f + 1 for f in found), stroke["faces"])
             with open(picture, "rb") as file:
                 self.assertEqual(drawing.file(title=path), file.read())
