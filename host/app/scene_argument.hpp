@@ -31,6 +31,7 @@ struct MeshArguments {
   std::optional<double> planar_tolerance = {};
   std::string unit;  // empty: not given
   std::optional<std::array<double, 3>> eye = {};  // see CameraArguments
+  unsigned jobs = 1;  // threads: no mesh option
 
   [[nodiscard]] scene::PolyImportOptions import_options() const;
 };

@@ -93,7 +93,10 @@ void append_witnesses(std::string_view side, std::span<const Witness> witnesses,
 }
 
 void append_reasons(const EdgeProof& proof, Text& text) {
-  if (proof.reason == EdgeProof::Reason::turned_away) text << "turned\n";
+  if (proof.reason == EdgeProof::Reason::turned_away) {
+    text << "turned\n";
+    return;
+  }
   if (proof.reason == EdgeProof::Reason::point) text << "point\n";
   if (proof.left == proof.right) return append_witnesses("both", proof.left, text);
   append_witnesses("left", proof.left, text);

@@ -119,7 +119,7 @@ struct ViewOptions {
   picture::DrawingField field = {};        // the size of the drawing, and the part of the image that it shows
   bool strokes = false;                    // tell where each line comes from: Drawing::strokes and the following members
   bool proof = false;                      // fill in Drawing::proof; only with the algorithm `exact`
-  unsigned jobs = 1;                       // threads for a view, if the algorithm can use several; the result is the same
+  unsigned jobs = 1;                       // threads; the result is the same for any number
 };
 
 inline constexpr std::uint32_t no_number = 0xffffffff;
@@ -142,8 +142,8 @@ struct DrawnPart {
   geometry::Rational low;
   geometry::Rational high;
   bool hidden = false;
-  // Of a hidden part, a face that hides it: a number in the file from 0. no_number: the part is behind the eye, or its own solid hides
-  // the edge.
+  // Of a hidden part, a face that hides it: a number in the file from 0. no_number: the part is behind the eye, or its own surface
+  // hides it.
   std::uint32_t hidden_by = no_number;
 };
 

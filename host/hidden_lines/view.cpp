@@ -177,19 +177,19 @@ class Views::Work {
       return base::Error{.file = "proof", .found = fmt::format("found with {}", algorithm_.name), .expected = "exact", .kind = base::ErrorKind::usage};
     if (!watch.go_on(0)) return base::cancelled();
     find_matter(cameras);
-    std::optional<base::Result<registry::PreparedScene>> made;
-    if (!matter_) made = choose_edges();
-    if (options_.strokes || options_.layers == Layers::body) origins_.emplace(scene());
+    if (!matter_) find_crossings();
     if (const auto reason = algorithm_.why_not(scene()))
       return base::Error{.file = source_.name,
                          .found = fmt::format("{} does not apply: {}", algorithm_.name, *reason),
                          .kind = base::ErrorKind::usage};
-    if (source_.decomposition && algorithm_.prepare_cells != nullptr) {
-      prepared_ = algorithm_.prepare_cells(source_.decomposition->complex);
-      return base::Done{};
-    }
     if (!watch.go_on(0.6)) return base::cancelled();
-    if (!made) made = prepared(scene());
+    const bool by_cells = source_.decomposition && algorithm_.prepare_cells != nullptr;
+    std::optional<base::Result<registry::PreparedScene>> made;
+    base::for_parts(std::min(options_.jobs, 2U), 2, [&](std::size_t, std::size_t begin, std::size_t end) {
+      if (begin == 0 && !matter_) choose_edges();
+      if (end == 2) made = by_cells ? algorithm_.prepare_cells(source_.decomposition->complex) : prepared(scene());
+    });
+    if (options_.strokes || options_.layers == Layers::body) origins_.emplace(scene());
     if (!watch.go_on(1)) return base::cancelled();
     if (!*made) return in_file(std::move(made->error()), source_.name);
     prepared_ = std::move(**made);
@@ -261,45 +261,18 @@ class Views::Work {
     matter_.emplace(std::move(*matter));
   }
 
-  // With several threads a mesh is prepared beside the search for crossings, as most have none; empty: it has to be prepared.
-  std::optional<base::Result<registry::PreparedScene>> choose_edges() {
-    const bool mesh = !source_.scene.surfaces.empty();
-    const auto find = [this] { return source_.kind == scene::SceneKind::polyhedra ? scene::crossings_of(source_.scene, 1) : Crossings{}; };
-    Crossings crossings;
-    std::optional<base::Result<registry::PreparedScene>> made;
-    const bool beside = mesh && options_.jobs > 1 && algorithm_.prepare_threads != nullptr &&
-                        !source_.decomposition && !algorithm_.why_not(source_.scene);
-    if (beside) {
-      base::for_parts(2, 2, [&](std::size_t part, std::size_t, std::size_t) {
-        if (part == 0) {
-          crossings = find();
-          return;
-        }
-        if (const auto choice = edge_choice(options_.edges, source_.scene)) chooser_.emplace(source_.scene, *choice);
-        made = prepared(source_.scene);
-      });
-    } else {
-      crossings = find();
-    }
-    if (are_drawn(crossings)) own_scene_ = scene::with_crossings(source_.scene);
-    if (beside && !own_scene_) {
-      choose_all_for_strokes();
-      return made;
-    }
-    chooser_.reset();
-    seams_ = !mesh && !options_.edges.are_given();
-    if (seams_ && has_free_lines()) {
-      chooser_.emplace(scene(), *picture::edge_choice_named("all"));
-    } else if (!seams_) {
-      if (const auto choice = edge_choice(options_.edges, scene())) chooser_.emplace(scene(), *choice);
-    }
-    choose_all_for_strokes();
-    return std::nullopt;
+  void find_crossings() {
+    if (source_.kind == scene::SceneKind::polyhedra && are_drawn(scene::crossings_of(source_.scene, 1, options_.jobs)))
+      own_scene_ = scene::with_crossings(source_.scene, options_.jobs);
   }
 
-  void choose_all_for_strokes() {
-    chosen_by_user_ = chooser_.has_value();
-    if (options_.strokes && !chooser_) chooser_.emplace(scene(), *picture::edge_choice_named("all"));
+  void choose_edges() {
+    seams_ = source_.scene.surfaces.empty() && !options_.edges.are_given();
+    auto choice = seams_ ? std::nullopt : edge_choice(options_.edges, scene());
+    if (seams_ && has_free_lines()) choice = picture::edge_choice_named("all");
+    chosen_by_user_ = choice.has_value();
+    if (options_.strokes && !choice) choice = picture::edge_choice_named("all");
+    if (choice) chooser_.emplace(scene(), *choice, options_.jobs);
   }
 
   void note(const std::string& text) { notes_.push_back(fmt::format("{}: {}", source_.name, text)); }

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <span>
 
+#include "host/base/threads.hpp"
 #include "host/geometry/vector.hpp"
 
 namespace sightline::picture {
@@ -31,6 +33,15 @@ geometry::Vector3 area_of(const std::vector<scene::PolyPoint>& vertices, const s
   add(face.outline);
   for (const auto& hole : face.holes) add(hole);
   return sum;
+}
+
+void append(ChosenEdges& chosen, const ChosenEdges& more) {
+  chosen.edges.insert(chosen.edges.end(), more.edges.begin(), more.edges.end());
+  chosen.kinds.insert(chosen.kinds.end(), more.kinds.begin(), more.kinds.end());
+  chosen.turned_away.insert(chosen.turned_away.end(), more.turned_away.begin(), more.turned_away.end());
+  const auto before = static_cast<std::uint32_t>(chosen.surfaces.size());
+  for (std::size_t e = 1; e < more.first_surface.size(); ++e) chosen.first_surface.push_back(before + more.first_surface[e]);
+  chosen.surfaces.insert(chosen.surfaces.end(), more.surfaces.begin(), more.surfaces.end());
 }
 
 }  // namespace
@@ -60,11 +71,13 @@ std::array<std::size_t, edge_kind_count> ChosenEdges::counts() const {
   return result;
 }
 
-EdgeChooser::EdgeChooser(const scene::PolyScene& scene, const EdgeChoice& choice)
-    : scene_(scene), choice_(choice), edges_(scene), least_cosine_(std::cos(choice.crease * std::numbers::pi / 180)) {
+EdgeChooser::EdgeChooser(const scene::PolyScene& scene, const EdgeChoice& choice, unsigned jobs)
+    : scene_(scene), choice_(choice), jobs_(jobs), edges_(scene, jobs), least_cosine_(std::cos(choice.crease * std::numbers::pi / 180)) {
   find_surfaces();
-  kinds_.reserve(edges_.size());
-  for (std::size_t e = 0; e < edges_.size(); ++e) kinds_.push_back(kind_without_eye(e));
+  kinds_.resize(edges_.size());
+  base::for_parts(jobs_, edges_.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) kinds_[e] = kind_without_eye(e);
+  });
   for (const auto& [from, to] : scene.wires) {
     EdgeKind& kind = kinds_[edges_.find(from, to)];
     if (kind == EdgeKind::flat) kind = EdgeKind::wire;
@@ -78,33 +91,38 @@ EdgeChooser::EdgeChooser(const scene::PolyScene& scene, const EdgeChoice& choice
 void EdgeChooser::find_surfaces() {
   const bool mesh = !scene_.surfaces.empty();
   surfaces_.resize(mesh ? scene_.surfaces.size() : face_count(scene_));
-  if (mesh) surface_of_ = scene_.surface_of;
-  std::uint32_t number = 0;
-  for (const scene::PolyBody& body : scene_.bodies) {
-    for (const scene::PolyFace& face : body.faces) {
-      if (!mesh) surface_of_.push_back(number);
-      Surface& surface = surfaces_[surface_of_[number]];
-      ++number;
-      const geometry::Vector3 area = area_of(scene_.vertices, face);
-      const double size = square(area);
-      for (std::size_t a = 0; a < 3; ++a) surface.normal[a] += area[a];
-      surface.solid = !body.sheet;
-      if (size <= surface.largest) continue;
-      surface.largest = size;
-      surface.on = face.outline[0];
-    }
-  }
   directions_.resize(surfaces_.size());
-  for (std::size_t s = 0; s < surfaces_.size(); ++s) {
-    const Surface& surface = surfaces_[s];
-    if (mesh) {
-      directions_[s] = scene_.surfaces[s].normal;
-      continue;
+  surface_of_ = scene_.surface_of;
+  surface_of_.resize(face_count(scene_));
+  if (!mesh) std::iota(surface_of_.begin(), surface_of_.end(), 0U);
+  // Each part has all faces of its surfaces.
+  base::for_parts(jobs_, surfaces_.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    std::size_t number = 0;
+    for (const scene::PolyBody& body : scene_.bodies) {
+      for (const scene::PolyFace& face : body.faces) {
+        const std::uint32_t of = surface_of_[number++];
+        if (of < begin || of >= end) continue;
+        Surface& surface = surfaces_[of];
+        const geometry::Vector3 area = area_of(scene_.vertices, face);
+        const double size = square(area);
+        for (std::size_t a = 0; a < 3; ++a) surface.normal[a] += area[a];
+        surface.solid = !body.sheet;
+        if (size <= surface.largest) continue;
+        surface.largest = size;
+        surface.on = face.outline[0];
+      }
     }
-    const double length = std::sqrt(square(surface.normal));
-    for (std::size_t a = 0; a < 3; ++a)
-      if (length > 0) directions_[s][a] = static_cast<double>(surface.normal[a]) / length;
-  }
+    for (std::size_t s = begin; s < end; ++s) {
+      const Surface& surface = surfaces_[s];
+      if (mesh) {
+        directions_[s] = scene_.surfaces[s].normal;
+        continue;
+      }
+      const double length = std::sqrt(square(surface.normal));
+      for (std::size_t a = 0; a < 3; ++a)
+        if (length > 0) directions_[s][a] = static_cast<double>(surface.normal[a]) / length;
+    }
+  });
 }
 
 // Whether the angle between two surfaces exceeds that of a crease. `agree`: they pass their edge in opposite directions.
@@ -138,24 +156,26 @@ EdgeKind EdgeChooser::kind_without_eye(std::size_t edge) const {
   return EdgeKind::flat;
 }
 
-ChosenEdges EdgeChooser::at(const scene::PolyCamera& camera) const {
+std::vector<EdgeChooser::Facing> EdgeChooser::facing_of(const scene::PolyCamera& camera) const {
   const geometry::Vector3 forward = geometry::vector_of(camera.forward);
-  struct Facing {
-    std::int8_t sign = 0;  // positive: to the eye
-    bool away = false;     // of a solid, and not to the eye
-  };
   std::vector<Facing> facing(surfaces_.size());
-  for (std::size_t s = 0; s < surfaces_.size(); ++s) {
-    const Surface& surface = surfaces_[s];
-    const geometry::Vector3 sight =
-        camera.perspective ? geometry::difference(scene_.vertices[surface.on], camera.eye) : forward;
-    facing[s].sign = static_cast<std::int8_t>(-geometry::sign(geometry::wide_dot(surface.normal, sight)));
-    facing[s].away = surface.solid && facing[s].sign <= 0;
-  }
+  base::for_parts(jobs_, surfaces_.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t s = begin; s < end; ++s) {
+      const Surface& surface = surfaces_[s];
+      const geometry::Vector3 sight =
+          camera.perspective ? geometry::difference(scene_.vertices[surface.on], camera.eye) : forward;
+      facing[s].sign = static_cast<std::int8_t>(-geometry::sign(geometry::wide_dot(surface.normal, sight)));
+      facing[s].away = surface.solid && facing[s].sign <= 0;
+    }
+  });
+  return facing;
+}
+
+ChosenEdges EdgeChooser::chosen_of(const std::vector<Facing>& facing, std::size_t begin, std::size_t end) const {
   const bool mesh = !scene_.surfaces.empty();
   ChosenEdges chosen;
   auto on = wires_on_.begin();
-  for (std::size_t e = 0; e < edges_.size(); ++e) {
+  for (std::size_t e = begin; e < end; ++e) {
     while (on != wires_on_.end() && (*on)[0] < e) ++on;
     const auto uses = edges_.uses(e);
     EdgeKind kind = kinds_[e];
@@ -181,6 +201,17 @@ ChosenEdges EdgeChooser::at(const scene::PolyCamera& camera) const {
     for (; on != wires_on_.end() && (*on)[0] == e; ++on) chosen.surfaces.push_back((*on)[1]);
     chosen.first_surface.push_back(static_cast<std::uint32_t>(chosen.surfaces.size()));
   }
+  return chosen;
+}
+
+ChosenEdges EdgeChooser::at(const scene::PolyCamera& camera) const {
+  const std::vector<Facing> facing = facing_of(camera);
+  std::vector<ChosenEdges> parts(jobs_);
+  base::for_parts(jobs_, edges_.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+    parts[part] = chosen_of(facing, begin, end);
+  });
+  ChosenEdges chosen = std::move(parts[0]);
+  for (std::size_t part = 1; part < parts.size(); ++part) append(chosen, parts[part]);
   if (!choice_.kinds[number_of(EdgeKind::intersection)]) return chosen;
   // Their vertices come after all others.
   for (const scene::PolyCrossing& crossing : scene_.crossings) {

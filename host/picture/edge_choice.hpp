@@ -70,8 +70,8 @@ struct ChosenEdges {
 // The part of a choice that does not depend on the camera.
 class EdgeChooser {
  public:
-  // The scene must outlive the chooser.
-  EdgeChooser(const scene::PolyScene& scene, const EdgeChoice& choice);
+  // The scene must outlive the chooser. `jobs` threads; the result is the same for any number.
+  EdgeChooser(const scene::PolyScene& scene, const EdgeChoice& choice, unsigned jobs = 1);
 
   [[nodiscard]] ChosenEdges at(const scene::PolyCamera& camera) const;
 
@@ -83,12 +83,22 @@ class EdgeChooser {
     double largest = -1;  // squared area of the face that `on` belongs to
   };
 
+  // Of each surface: 1 if it faces the eye, -1 if it is turned away, 0 if it is seen from the side.
+  struct Facing {
+    std::int8_t sign = 0;
+    bool away = false;  // of a solid, and not to the eye
+  };
+
   void find_surfaces();
+  [[nodiscard]] std::vector<Facing> facing_of(const scene::PolyCamera& camera) const;
+  // The chosen ones of the edges `begin` to `end` - 1.
+  [[nodiscard]] ChosenEdges chosen_of(const std::vector<Facing>& facing, std::size_t begin, std::size_t end) const;
   [[nodiscard]] EdgeKind kind_without_eye(std::size_t edge) const;
   [[nodiscard]] bool bends(std::uint32_t a, std::uint32_t b, bool agree) const;
 
   const scene::PolyScene& scene_;
   EdgeChoice choice_;
+  unsigned jobs_;
   scene::EdgeTable edges_;
   std::vector<std::uint32_t> surface_of_;  // by face
   std::vector<Surface> surfaces_;

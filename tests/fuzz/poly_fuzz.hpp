@@ -1,5 +1,5 @@
 // Shared by the fuzz targets for readers of polyhedra: mends and checks what was read, writes it in all formats, and reads
-// it again.
+// it again. Three threads read the same as one.
 #pragma once
 
 #include <cstdint>
@@ -27,6 +27,11 @@ inline void fuzz_poly(const std::uint8_t* data, std::size_t size, scene::PolyFor
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   for (const bool mend : {false, true}) {
     const auto result = scene::read_poly(text, "fuzz", format, {mend});
+    if (mend) {
+      const auto by_threads = scene::read_poly(text, "fuzz", format, {.mend = true, .jobs = 3});
+      if (result.has_value() != by_threads.has_value()) std::abort();
+      if (result ? result->scene != by_threads->scene : result.error().message() != by_threads.error().message()) std::abort();
+    }
     if (!result) continue;
     if (format != scene::PolyFormat::json && !scene::check_poly_scene(result->scene).empty()) std::abort();
     use(result->scene);

@@ -229,8 +229,8 @@ class Checker {
   std::int64_t number(std::string_view digits, std::int64_t least, std::int64_t most) const {
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    require(error == std::errc() && end == digits.data() + digits.size() && least <= value && value <= most,
-            "expected a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    if (error != std::errc() || end != digits.data() + digits.size() || value < least || value > most)
+      require(false, "expected a whole number from " + std::to_string(least) + " to " + std::to_string(most));
     return value;
   }
   Index index(std::size_t count) { return static_cast<Index>(number(word(), 0, static_cast<std::int64_t>(count) - 1)); }
@@ -362,7 +362,9 @@ class Checker {
     }
     edge.turned = word_ == "turned";
     edge.point = word_ == "point";
-    if (edge.turned || edge.point) next_line();
+    if (!edge.turned && !edge.point) return edge;
+    require(edge.claims[0].empty() && edge.claims[1].empty(), "expected no claims about an edge that is hidden as a whole");
+    next_line();
     return edge;
   }
 
@@ -372,10 +374,16 @@ class Checker {
     Index surfaces = 0;
     for (const Face& face : scene_.faces) surfaces = std::max(surfaces, face.surface + 1);
     require(surfaces <= scene_.faces.size(), "expected numbers of surfaces below the number of faces");
+    // A surface is seen like a plane through its largest face, at right angles to the sum of its normals.
     std::vector<Vector<Int128>> normals(surfaces);
-    for (const Face& face : scene_.faces)
-      normals[face.surface] = combination<Int128>(1, normals[face.surface], -1, as<Int128>(face.normal));
-    turned_.assign(surfaces, false);
+    std::vector<std::pair<Int128, Point>> largest(surfaces);
+    for (const Face& face : scene_.faces) {
+      const Vector<Int128> normal = as<Int128>(face.normal);
+      normals[face.surface] = combination<Int128>(1, normals[face.surface], -1, normal);
+      if (dot(normal, normal) > largest[face.surface].first) largest[face.surface] = {dot(normal, normal), face.on};
+    }
+    for (Index s = 0; s < surfaces; ++s)
+      turned_.push_back(dot(normals[s], as<Int128>(scene_.perspective ? largest[s].second : scene_.forward)) >= 0);
     for (Index f = 0; f < scene_.faces.size(); ++f) {
       Face& face = scene_.faces[f];
       const std::int64_t away = dot(face.normal, scene_.perspective ? face.on : scene_.forward);
@@ -388,7 +396,6 @@ class Checker {
         face.nearest = std::min(face.nearest, depth);
         farthest = std::max(farthest, depth);
         bounds.add<Int128>(scene_, as<Int128>(p), 1);
-        if (dot(normals[face.surface], as<Int128>(scene_.perspective ? p : scene_.forward)) >= 0) turned_[face.surface] = true;
       }
       face.occludes = away < 0 || (away > 0 && face.sheet);
       if (face.occludes && (!scene_.perspective || farthest > 0)) seen_.push_back({bounds, f, INT64_MIN});
@@ -524,8 +531,8 @@ class Checker {
   Scene scene_;
   std::map<std::array<Index, 2>, std::vector<Index>> sides_;  // by vertices, the lower first: the faces there
   std::vector<bool> turned_;                                  // by surface: turned away from the eye, or edge-on
-  std::vector<SeenFace> seen_;  // ascending by the low end of axis 0
-  std::array<Index, 2> last_{};  // edge between vertices
+  std::vector<SeenFace> seen_;                                // ascending by the low end of axis 0
+  std::array<Index, 2> last_{};                               // edge between vertices
   Verdict verdict_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/base/radix_sort.hpp"
 #include "host/base/threads.hpp"
 
 namespace sightline::algorithms::exact {
@@ -29,7 +30,7 @@ ImageGrid::ImageGrid(std::span<const ImageBounds> bounds, std::span<const std::u
   while (side_ > 1 && entries_needed(bounds) > most) side_ /= 2;
   for (std::uint32_t cell = 0; cell < side_; ++cell)
     first_steps_.push_back(static_cast<std::uint16_t>(((cell << 15) + side_ - 1) / side_));
-  sort_by_depth(depths);
+  sort_by_depth(depths, jobs);
   // Each part counts its own entries, so that in each cell they follow those of earlier parts.
   const std::size_t cells = std::size_t{side_} * side_;
   std::vector<std::vector<std::uint32_t>> fill(jobs);
@@ -64,24 +65,15 @@ ImageGrid::ImageGrid(std::span<const ImageBounds> bounds, std::span<const std::u
   });
 }
 
-// Nearest first, equal depths by number: a radix sort with digits of eleven bits.
-void ImageGrid::sort_by_depth(std::span<const std::uint32_t> depths) {
-  constexpr unsigned digit = 11;
+// Nearest first, equal depths by number.
+void ImageGrid::sort_by_depth(std::span<const std::uint32_t> depths, unsigned jobs) {
   struct Key {
     std::uint32_t depth = 0;
     std::uint32_t occluder = 0;
   };
   std::vector<Key> keys(depths.size());
-  std::vector<Key> sorted(depths.size());
   for (std::uint32_t i = 0; i < depths.size(); ++i) keys[i] = {depths[i], i};
-  for (unsigned shift = 0; shift < 32; shift += digit) {
-    std::array<std::uint32_t, (1U << digit) + 1> starts{};
-    const auto digit_of = [shift](const Key& key) { return (key.depth >> shift) & ((1U << digit) - 1); };
-    for (const Key& key : keys) ++starts[digit_of(key) + 1];
-    for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
-    for (const Key& key : keys) sorted[starts[digit_of(key)]++] = key;
-    keys.swap(sorted);
-  }
+  base::radix_sort(keys, 0, 32, [](const Key& key) { return key.depth; }, jobs);
   order_.resize(keys.size());
   depths_.resize(keys.size());
   for (std::size_t i = 0; i < keys.size(); ++i) {

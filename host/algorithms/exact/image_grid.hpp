@@ -90,7 +90,7 @@ class ImageGrid {
   [[nodiscard]] std::uint32_t cell_of(std::uint16_t step) const { return (step * side_) >> 15; }
   [[nodiscard]] std::uint64_t first_step(std::uint32_t cell) const { return first_steps_[cell]; }
   [[nodiscard]] std::uint64_t entries_needed(std::span<const ImageBounds> bounds) const;  // for the current number of cells
-  void sort_by_depth(std::span<const std::uint32_t> depths);
+  void sort_by_depth(std::span<const std::uint32_t> depths, unsigned jobs);
 
   std::uint32_t side_ = 1;
   std::vector<std::uint16_t> first_steps_;  // of each column, and each row

@@ -140,10 +140,10 @@ void add_occluder(const View& view, std::uint32_t number, const Plane& beyond, F
   part.depths.push_back(nearest);
 }
 
-FacePart faces_of(const View& view, std::size_t begin, std::size_t end) {
+FacePart faces_of(const View& view, std::size_t begin, std::size_t end, bool all_edges) {
   const EdgeMesh& mesh = *view.mesh;
   FacePart part;
-  part.drawn.assign(mesh.edges.size(), 0);
+  if (all_edges) part.drawn.assign(mesh.edges.size(), 0);
   const std::size_t likely = (end - begin) / 2 + 1;  // fits solids; the vectors grow for sheets
   part.occluders.reserve(likely);
   part.bounds.reserve(likely);
@@ -155,7 +155,7 @@ FacePart faces_of(const View& view, std::size_t begin, std::size_t end) {
     const std::int64_t offset = dot(normal, vector_of(view.at(corners->vertex)));
     const std::int64_t away = view.perspective ? offset : dot(normal, view.forward);
     if (away > 0 && face.sheet == 0) continue;
-    for (std::uint32_t i = 0; i < face.corner_count; ++i) part.drawn[corners[i].side] = 1;
+    for (std::uint32_t i = 0; all_edges && i < face.corner_count; ++i) part.drawn[corners[i].side] = 1;
     if (away == 0) continue;
     // Positive beyond the face: opposite to the normal if the face is turned to the eye.
     const Plane beyond = away < 0 ? Plane{geometry::negated(normal), -offset} : Plane{normal, offset};
@@ -164,10 +164,11 @@ FacePart faces_of(const View& view, std::size_t begin, std::size_t end) {
   return part;
 }
 
-void place_faces(View& view, unsigned jobs) {
+// `all_edges`: those of the faces are drawn.
+void place_faces(View& view, bool all_edges, unsigned jobs) {
   std::vector<FacePart> parts(jobs);
   base::for_parts(jobs, view.mesh->faces.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
-    parts[part] = faces_of(view, begin, end);
+    parts[part] = faces_of(view, begin, end, all_edges);
   });
   view.drawn = std::move(parts[0].drawn);
   view.occluders = std::move(parts[0].occluders);
@@ -219,9 +220,10 @@ View make_view(const EdgeMesh& mesh, const scene::PolyCamera& camera, const pict
   view.forward = vector_of(camera.forward);
   view.axes = {vector_of(camera.right), vector_of(camera.up)};
   place_points(view, camera, jobs);
-  place_faces(view, jobs);
-  for (const std::uint32_t wire : mesh.wires) view.drawn[wire] = 1;
-  if (chosen != nullptr) {
+  place_faces(view, chosen == nullptr, jobs);
+  if (chosen == nullptr) {
+    for (const std::uint32_t wire : mesh.wires) view.drawn[wire] = 1;
+  } else {
     view.drawn.assign(mesh.edges.size(), 0);
     auto edge = mesh.edges.begin();
     view.choices.resize(mesh.edges.size());

@@ -90,7 +90,8 @@ class ProofListener : public NoListener {
     for (std::uint32_t i = 0; i < log.size(); ++i)
       if (((log[i].left && left) || (log[i].right && right)) && less(log[i].interval.low, log[i].interval.high)) order_.push_back(i);
     const auto low = [&](std::size_t i) -> const auto& { return log[order_[i]].interval.low; };
-    std::stable_sort(order_.begin(), order_.end(), [&log](std::uint32_t a, std::uint32_t b) { return less(log[a].interval.low, log[b].interval.low); });
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&log](std::uint32_t a, std::uint32_t b) { return less(log[a].interval.low, log[b].interval.low); });
     std::vector<Witness> witnesses;
     for (std::size_t next = 0; next < order_.size();) {
       // An interval that begins where nothing is hidden, then those that reach farthest of all that begin in or at the
@@ -135,7 +136,22 @@ class Search {
     else append_visible(number, line_shadow_, pieces);
   }
 
+  // Tells the listener what hides an edge, drawn or not.
+  void find_witnesses(std::uint32_t number) {
+    if (number < view_.mesh->first_line()) find_witnesses(number, shadow_);
+    else find_witnesses(number, line_shadow_);
+  }
+
  private:
+  template <class Shadow>
+  void find_witnesses(std::uint32_t number, Shadow& shadow) {
+    if (!shadow.begin(number)) return;
+    const picture::LineEdge& edge = view_.mesh->edges[number];
+    listener_.edge(edge, shadow);
+    static_cast<void>(is_hidden(number, shadow));
+    listener_.searched(edge, shadow);
+  }
+
   template <class Shadow>
   void append_visible(std::uint32_t number, Shadow& shadow, std::vector<picture::LinePiece>& pieces) {
     const picture::LineEdge& edge = view_.mesh->edges[number];
@@ -363,7 +379,7 @@ picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera
 
 picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera, const picture::ChosenEdges* chosen,
                                    std::vector<EdgeProof>& proofs, const base::Watch& watch) {
-  const View view = make_view(mesh, camera, chosen);
+  View view = make_view(mesh, camera, chosen);
   const ImageGrid grid(view.occluder_bounds, view.occluder_depths);
   ProofListener listener;
   Search<ProofListener> search(view, grid, chosen, listener);
@@ -391,12 +407,17 @@ picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera
     number = std::lower_bound(number, mesh.edges.end(), proof.edge);
     const auto edge = static_cast<std::uint32_t>(number - mesh.edges.begin());
     if (view.drawn[edge] != 0) continue;
-    if (view.before_eye(view.points[proof.edge.from]) || view.before_eye(view.points[proof.edge.to]))
+    if (view.before_eye(view.points[proof.edge.from]) || view.before_eye(view.points[proof.edge.to])) {
+      if (chosen != nullptr) view.choices[edge] = static_cast<std::uint32_t>(p);
+      listener.begin(proof.edge);
+      search.find_witnesses(edge);
+      proof = std::move(listener.proof());
       proof.reason = EdgeProof::Reason::turned_away;
-    else if (edge < mesh.first_line() ? EdgeSight(view).begin(edge) : LineSight(view).begin(edge))
+    } else if (edge < mesh.first_line() ? EdgeSight(view).begin(edge) : LineSight(view).begin(edge)) {
       proof.left = proof.right = {{0, 1, Witness::behind_eye}};
-    else
+    } else {
       proof.reason = EdgeProof::Reason::point;
+    }
   }
   return by_edge(parts, order, mesh.edges.size());
 }

@@ -29,7 +29,9 @@ struct Witness {
 struct EdgeProof {
   enum class Reason : std::uint8_t {
     witnesses,    // it is visible except where it is hidden from both sides
-    turned_away,  // all of it is hidden by its own solid, whose faces (or surfaces) at the edge are turned away
+    // All of it is hidden by its own solid, whose faces (or surfaces) at the edge are turned away. The witnesses may then leave parts
+    // over, because faces of the edge's own surfaces are none.
+    turned_away,
     point,        // it is seen end-on
   };
 

@@ -176,7 +176,6 @@ struct DrawLinesArguments {
   EdgeArguments edges;
   std::string layers;  // empty: the default of the format
   bool hidden = false;
-  unsigned jobs = 1;
   std::string hatch;  // "ANGLE,SPACING"
   std::string light;  // "X,Y,Z"
   double min_length = 0;
@@ -362,7 +361,7 @@ hidden_lines::ViewOptions view_options(const registry::LineAlgorithm& algorithm,
   options.hatch = hatching(arguments);
   options.strokes = !arguments.strokes.empty();
   options.proof = !arguments.certificate.empty();
-  options.jobs = arguments.jobs;
+  options.jobs = arguments.mesh.jobs;
   return options;
 }
 
@@ -642,7 +641,7 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
           .excludes(command.find_option("--field"))
           .group("Paper");
   if (algorithm.prepare_threads != nullptr)
-    command.option("--jobs", arguments->jobs, "Threads for a view; the drawing is the same for any number")
+    command.option("--jobs", arguments->mesh.jobs, "Threads; the drawing is the same for any number")
         .range(1U, 1024U)
         .default_value()
         .value("N");

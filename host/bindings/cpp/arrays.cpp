@@ -29,6 +29,12 @@ base::Error wrong(std::string_view member, std::string found, std::string expect
   return {.file = std::string(member), .found = "found " + std::move(found), .expected = std::move(expected), .kind = base::ErrorKind::usage};
 }
 
+std::optional<base::Error> fault_of_jobs(unsigned jobs) {
+  constexpr unsigned most = 1024;
+  if (jobs >= 1 && jobs <= most) return std::nullopt;
+  return wrong("jobs", fmt::format("{}", jobs), fmt::format("1 to {}", most));
+}
+
 base::Result<hidden_lines::LoadOptions> load_options(const LoadOptions& options, const base::Watch& watch) {
   if (!(options.weld >= 0) || !std::isfinite(options.weld)) return wrong("weld", fmt::format("{}", options.weld), "a finite number, at least 0");
   if (options.planar_tolerance && (!(*options.planar_tolerance >= 0) || !std::isfinite(*options.planar_tolerance)))
@@ -37,7 +43,9 @@ base::Result<hidden_lines::LoadOptions> load_options(const LoadOptions& options,
   if (options.eye)
     for (const double c : *options.eye)
       if (!std::isfinite(c)) return wrong("eye", fmt::format("{}", c), "a finite number");
+  if (auto error = fault_of_jobs(options.jobs)) return std::move(*error);
   hidden_lines::LoadOptions result;
+  result.jobs = options.jobs;
   result.mend = options.mend;
   result.weld = options.weld;
   result.planar_tolerance = options.planar_tolerance;
@@ -183,8 +191,7 @@ base::Result<hidden_lines::ViewOptions> view_options(const DrawOptions& options,
     return wrong("field", fmt::format("{}", *options.field), "degrees above 0, at most 170");
   if (!(options.min_length >= 0) || !std::isfinite(options.min_length))
     return wrong("min_length", fmt::format("{}", options.min_length), "a finite number, at least 0");
-  constexpr unsigned most_jobs = 1024;
-  if (options.jobs < 1 || options.jobs > most_jobs) return wrong("jobs", fmt::format("{}", options.jobs), fmt::format("1 to {}", most_jobs));
+  if (auto error = fault_of_jobs(options.jobs)) return std::move(*error);
   hidden_lines::ViewOptions result;
   result.edges = {.kinds = options.edges, .crease = options.crease};
   if (auto checked = hidden_lines::check(result.edges); !checked) return std::move(checked.error());

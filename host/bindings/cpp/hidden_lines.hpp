@@ -197,8 +197,8 @@ struct Part {
   Fraction low;
   Fraction high;
   bool hidden = false;
-  // A face that hides the part, in the numbers of the mesh. none: the part is visible, behind the eye, or an edge of a solid
-  // on the side turned away, which the solid itself hides.
+  // A face that hides the part, in the numbers of the mesh. none: the part is visible or behind the eye; or the edge is one of a
+  // curved surface, which itself hides it.
   std::uint32_t hidden_by = none;
 };
 

@@ -192,7 +192,8 @@ PYBIND11_MODULE(_core, module) {
       .def_readwrite("weld", &sightline::LoadOptions::weld)
       .def_readwrite("planar_tolerance", &sightline::LoadOptions::planar_tolerance)
       .def_readwrite("unit", &sightline::LoadOptions::unit)
-      .def_readwrite("eye", &sightline::LoadOptions::eye);
+      .def_readwrite("eye", &sightline::LoadOptions::eye)
+      .def_readwrite("jobs", &sightline::LoadOptions::jobs);
 
   py::class_<sightline::Camera>(module, "Camera")
       .def(py::init<>())

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "host/base/threads.hpp"
 #include "host/geometry/predicates.hpp"
 
 namespace sightline::scene {
@@ -55,24 +57,34 @@ bool meet(const PolyBounds& a, const PolyBounds& b) {
   return true;
 }
 
-std::vector<PolyBounds> boxes_of(const PolyScene& scene) {
-  std::vector<PolyBounds> boxes;
-  boxes.reserve(scene.bodies.size());
-  for (const PolyBody& body : scene.bodies) {
-    bool first = true;
-    PolyBounds box;
-    for (const PolyFace& face : body.faces) {
-      for (const VertexIndex v : face.outline) {
-        const PolyPoint& p = scene.vertices[v];
-        for (std::size_t k = 0; k < 3; ++k) {
-          box.low[k] = first ? p[k] : std::min(box.low[k], p[k]);
-          box.high[k] = first ? p[k] : std::max(box.high[k], p[k]);
-        }
-        first = false;
+std::optional<PolyBounds> box_around(const PolyScene& scene, const PolyBody& body) {
+  std::optional<PolyBounds> box;
+  for (const PolyFace& face : body.faces) {
+    for (const VertexIndex v : face.outline) {
+      const PolyPoint& p = scene.vertices[v];
+      if (!box) box = PolyBounds{p, p};
+      for (std::size_t k = 0; k < 3; ++k) {
+        box->low[k] = std::min(box->low[k], p[k]);
+        box->high[k] = std::max(box->high[k], p[k]);
       }
     }
-    if (!first) boxes.push_back(box);
   }
+  return box;
+}
+
+// Around each body that has faces; nullopt if not all bodies are convex.
+std::optional<std::vector<PolyBounds>> boxes_of_convex(const PolyScene& scene, unsigned jobs) {
+  std::vector<std::vector<PolyBounds>> parts(jobs);
+  std::vector<std::uint8_t> convex(jobs, 1);
+  base::for_parts(jobs, scene.bodies.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end && convex[part] != 0; ++b) {
+      convex[part] = is_convex(scene, scene.bodies[b]) ? 1 : 0;
+      if (const auto box = box_around(scene, scene.bodies[b])) parts[part].push_back(*box);
+    }
+  });
+  if (std::count(convex.begin(), convex.end(), 0) > 0) return std::nullopt;
+  std::vector<PolyBounds> boxes;
+  for (const std::vector<PolyBounds>& part : parts) boxes.insert(boxes.end(), part.begin(), part.end());
   return boxes;
 }
 
@@ -109,37 +121,51 @@ class BoxCells {
     for (std::size_t c = 1; c <= cells; ++c) starts_[c] += starts_[c - 1];
     members_.resize(starts_.back());
     std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-    for (std::uint32_t b = 0; b < boxes.size(); ++b)
-      if (fits_cell(boxes[b])) members_[next[cell_of(place_of(boxes[b]))]++] = b;
+    for (const PolyBounds& box : boxes)
+      if (fits_cell(box)) members_[next[cell_of(place_of(box))]++] = box;
   }
 
   // True: no two meet. False: two do, or more pairs than `most` would have to be compared.
-  [[nodiscard]] bool are_apart(std::uint64_t most) const {
-    if (large_.size() * boxes_.size() > most) return false;
-    most -= large_.size() * boxes_.size();
+  [[nodiscard]] bool are_apart(std::uint64_t most, unsigned jobs) const {
+    std::uint64_t sum = large_.size() * boxes_.size();
+    if (sum > most) return false;
     for (const std::uint32_t b : large_)
       for (std::uint32_t other = 0; other < boxes_.size(); ++other)
         if (other != b && meet(boxes_[b], boxes_[other])) return false;
-    for (std::uint32_t b = 0; b < boxes_.size(); ++b) {
-      if (!fits_cell(boxes_[b])) continue;
-      const Place at = place_of(boxes_[b]);
-      for (std::int64_t x = std::max<std::int64_t>(at[0] - 1, 0); x <= at[0]; ++x) {
-        for (std::int64_t y = std::max<std::int64_t>(at[1] - 1, 0); y <= std::min(at[1] + 1, count_[1] - 1); ++y) {
-          for (std::int64_t z = std::max<std::int64_t>(at[2] - 1, 0); z <= std::min(at[2] + 1, count_[2] - 1); ++z) {
-            const std::size_t cell = cell_of({x, y, z});
-            if (const std::uint64_t count = starts_[cell + 1] - starts_[cell]; count > most) return false;
-            most -= starts_[cell + 1] - starts_[cell];
-            for (std::uint32_t i = starts_[cell]; i < starts_[cell + 1]; ++i)
-              if (members_[i] != b && meet(boxes_[b], boxes_[members_[i]])) return false;
-          }
-        }
-      }
+    std::vector<std::optional<std::uint64_t>> compared(jobs);
+    base::for_parts(jobs, members_.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+      compared[part] = pairs_apart(begin, end, most);
+    });
+    for (const auto& pairs : compared) {
+      if (!pairs) return false;
+      sum += *pairs;
     }
-    return true;
+    return sum <= most;
   }
 
  private:
   using Place = std::array<std::int64_t, 3>;
+
+  // The number of pairs with one of the members `begin` to `end` - 1 that were compared; nullopt if two meet, or if there are more than
+  // `most`.
+  [[nodiscard]] std::optional<std::uint64_t> pairs_apart(std::size_t begin, std::size_t end, std::uint64_t most) const {
+    std::uint64_t compared = 0;
+    for (std::size_t m = begin; m < end; ++m) {
+      const Place at = place_of(members_[m]);
+      for (std::int64_t x = std::max<std::int64_t>(at[0] - 1, 0); x <= at[0]; ++x) {
+        for (std::int64_t y = std::max<std::int64_t>(at[1] - 1, 0); y <= std::min(at[1] + 1, count_[1] - 1); ++y) {
+          for (std::int64_t z = std::max<std::int64_t>(at[2] - 1, 0); z <= std::min(at[2] + 1, count_[2] - 1); ++z) {
+            const std::size_t cell = cell_of({x, y, z});
+            compared += starts_[cell + 1] - starts_[cell];
+            if (compared > most) return std::nullopt;
+            for (std::uint32_t i = starts_[cell]; i < starts_[cell + 1]; ++i)
+              if (i != m && meet(members_[m], members_[i])) return std::nullopt;
+          }
+        }
+      }
+    }
+    return compared;
+  }
 
   [[nodiscard]] bool fits_cell(const PolyBounds& box) const {
     for (std::size_t k = 0; k < 3; ++k)
@@ -161,17 +187,16 @@ class BoxCells {
   Place count_{};
   std::vector<std::uint32_t> large_;
   std::vector<std::uint32_t> starts_;
-  std::vector<std::uint32_t> members_;
+  std::vector<PolyBounds> members_;  // cell by cell
 };
 
 }  // namespace
 
-bool are_plainly_apart(const PolyScene& scene) {
-  for (const PolyBody& body : scene.bodies)
-    if (!is_convex(scene, body)) return false;
-  const std::vector<PolyBounds> boxes = boxes_of(scene);
+bool are_plainly_apart(const PolyScene& scene, unsigned jobs) {
+  const auto boxes = boxes_of_convex(scene, jobs);
+  if (!boxes) return false;
   constexpr std::uint64_t pairs_a_box = 64;
-  return boxes.empty() || BoxCells(boxes).are_apart(pairs_a_box * boxes.size());
+  return boxes->empty() || BoxCells(*boxes).are_apart(pairs_a_box * boxes->size(), jobs);
 }
 
 }  // namespace sightline::scene

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
+#include "host/base/radix_sort.hpp"
+#include "host/base/threads.hpp"
 #include "host/geometry/predicates.hpp"
 #include "host/scene/check/apart_bodies.hpp"
 #include "host/scene/model/face_cut.hpp"
@@ -30,6 +33,7 @@ struct FaceBox {
   static constexpr unsigned step = 20;
   static constexpr std::uint64_t guards = std::uint64_t{1} << 19 | std::uint64_t{1} << 39 | std::uint64_t{1} << 59;
 
+  FaceBox() = default;
   FaceBox(const std::vector<PolyPoint>& vertices, const Ring& ring) {
     PolyPoint least = vertices[ring[0]];
     PolyPoint most = least;
@@ -65,29 +69,33 @@ bool is_triangle(const Triangle& corners) { return corners[0] != no_triangle[0];
 
 class CrossingSearch {
  public:
-  explicit CrossingSearch(const PolyScene& scene) : scene_(scene) {
+  // With `jobs` threads.
+  CrossingSearch(const PolyScene& scene, unsigned jobs) : scene_(scene), jobs_(jobs) {
     const std::size_t count = face_count(scene);
     faces_.reserve(count);
-    boxes_.reserve(count);
-    corners_.reserve(count);
-    for (const PolyBody& body : scene.bodies) {
-      for (const PolyFace& face : body.faces) {
-        faces_.push_back({&face, plane_of(scene.vertices, face)});
-        boxes_.emplace_back(scene.vertices, face.outline);
-        corners_.push_back(no_triangle);
-        if (faces_.back().is_triangle()) std::copy(face.outline.begin(), face.outline.end(), corners_.back().begin());
+    for (const PolyBody& body : scene.bodies)
+      for (const PolyFace& face : body.faces) faces_.push_back({&face, {}});
+    boxes_.resize(count);
+    corners_.resize(count);
+    base::for_parts(jobs, count, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) {
+        const PolyFace& face = *faces_[f].face;
+        faces_[f].plane = plane_of(scene.vertices, face);
+        boxes_[f] = FaceBox(scene.vertices, face.outline);
+        corners_[f] = no_triangle;
+        if (faces_[f].is_triangle()) std::copy(face.outline.begin(), face.outline.end(), corners_[f].begin());
       }
-    }
+    });
   }
 
   std::vector<Crossing> run(std::size_t most) {
-    most_ = most;
-    for_near_pairs([&](std::uint32_t a, std::uint32_t b) { try_pair(std::min(a, b), std::max(a, b)); });
+    std::vector<Crossing> found = find(most);
+    found.resize(std::min(found.size(), most));
     // Those of one pair are found in their order.
-    std::stable_sort(found_.begin(), found_.end(), [](const Crossing& x, const Crossing& y) {
+    std::stable_sort(found.begin(), found.end(), [](const Crossing& x, const Crossing& y) {
       return std::tie(x.face_a, x.face_b) < std::tie(y.face_a, y.face_b);
     });
-    return std::move(found_);
+    return found;
   }
 
  private:
@@ -124,19 +132,19 @@ class CrossingSearch {
     return grid;
   }
 
-  template <class Visit>
-  void for_near_pairs(Visit visit) {
-    const CellGrid cells = grid();
-    // Cell and face in one number: there are at most 2^27 cells. Above them, whether the face begins in the cell along each axis.
-    std::vector<std::uint64_t> entries;
-    entries.reserve(4 * faces_.size());
-    const auto cell_of = [](std::uint64_t entry) { return (entry >> 32) & ((1U << 27) - 1); };
-    const auto begins = [](bool it_does, unsigned axis) { return static_cast<std::uint64_t>(it_does) << (59 + axis); };
-    constexpr std::uint64_t on_all_axes = std::uint64_t{7} << 59;
-    const auto face_of = [](std::uint64_t entry) { return static_cast<std::uint32_t>(entry); };
-    std::vector<std::uint32_t> large;
-    constexpr std::int64_t most_cells = 512;  // of one face
-    for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+  // A face in a cell as one number: the cell, of which there are at most 2^27, above the face. Above them, whether the face begins in
+  // the cell along each axis.
+  using Entry = std::uint64_t;
+  [[nodiscard]] static std::uint64_t cell_of(Entry entry) { return (entry >> 32) & ((1U << 27) - 1); }
+  [[nodiscard]] static std::uint32_t face_of(Entry entry) { return static_cast<std::uint32_t>(entry); }
+  [[nodiscard]] static Entry begins(bool it_does, unsigned axis) { return static_cast<Entry>(it_does) << (59 + axis); }
+  static constexpr Entry begins_on_all_axes = Entry{7} << 59;
+
+  // Adds the cells of the faces `begin` to `end` - 1. Faces in very many cells are added to `large`.
+  void add_entries(const CellGrid& cells, std::size_t begin, std::size_t end, std::vector<Entry>& entries, std::vector<std::uint32_t>& large) const {
+    constexpr std::int64_t most_cells = 512;
+    entries.reserve(4 * (begin == 0 ? faces_.size() : end - begin));  // the first part gets the entries of all
+    for (std::size_t f = begin; f < end; ++f) {
       std::array<std::int64_t, 6> span{};
       std::int64_t covered = 1;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -145,51 +153,68 @@ class CrossingSearch {
         covered *= span[k + 3] - span[k] + 1;
       }
       if (covered > most_cells) {
-        large.push_back(f);
+        large.push_back(static_cast<std::uint32_t>(f));
         continue;
       }
       for (std::int64_t x = span[0]; x <= span[3]; ++x)
         for (std::int64_t y = span[1]; y <= span[4]; ++y)
           for (std::int64_t z = span[2]; z <= span[5]; ++z)
-            entries.push_back(static_cast<std::uint64_t>((x * cells.count[1] + y) * cells.count[2] + z) << 32 | f |
+            entries.push_back(static_cast<Entry>((x * cells.count[1] + y) * cells.count[2] + z) << 32 | f |
                               begins(x == span[0], 0) | begins(y == span[1], 1) | begins(z == span[2], 2));
     }
-    sort_by_cell(entries);
+  }
+
+  // In the order of cells and faces. If there are more than `most`, some behind these may be missing.
+  [[nodiscard]] std::vector<Crossing> find(std::size_t most) const {
+    const CellGrid cells = grid();
+    std::vector<std::vector<Entry>> entries_of(jobs_);  // of each part
+    std::vector<std::vector<std::uint32_t>> large_of(jobs_);
+    base::for_parts(jobs_, faces_.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+      add_entries(cells, begin, end, entries_of[part], large_of[part]);
+    });
+    std::vector<Entry> entries = joined(entries_of);
+    base::radix_sort(entries, 32, 32 + 27, [](Entry entry) { return entry; }, jobs_);
+    std::vector<std::vector<Crossing>> found_in(jobs_);
+    base::for_parts(jobs_, entries.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+      try_cells(entries, begin, end, most, found_in[part]);
+    });
+    std::vector<Crossing> found = joined(found_in);
+    const std::vector<std::uint32_t> large = joined(large_of);
+    for (std::size_t l = 0; l < large.size(); ++l) {
+      for (std::uint32_t f = 0; f < faces_.size() && found.size() < most; ++f) {
+        const bool later = std::binary_search(large.begin(), large.end(), f);
+        if ((later ? f > large[l] : true) && boxes_[large[l]].meets(boxes_[f])) try_pair(large[l], f, found);
+      }
+    }
+    return found;
+  }
+
+  template <class Item>
+  static std::vector<Item> joined(std::vector<std::vector<Item>>& parts) {
+    std::vector<Item> all = std::move(parts[0]);
+    for (std::size_t p = 1; p < parts.size(); ++p) all.insert(all.end(), parts[p].begin(), parts[p].end());
+    return all;
+  }
+
+  // The cells that begin from `begin` on, before `end`.
+  void try_cells(const std::vector<Entry>& entries, std::size_t begin, std::size_t end, std::size_t most, std::vector<Crossing>& found) const {
     std::vector<FaceBox> here;
-    for (std::size_t first = 0; first < entries.size() && found_.size() < most_;) {
+    std::size_t first = begin;
+    while (first > 0 && first < end && cell_of(entries[first]) == cell_of(entries[first - 1])) ++first;
+    while (first < end && found.size() < most) {
       std::size_t last = first;
       while (last < entries.size() && cell_of(entries[last]) == cell_of(entries[first])) ++last;
       here.clear();
       for (std::size_t i = first; i < last; ++i) here.push_back(boxes_[face_of(entries[i])]);
       for (std::size_t i = 0; i < here.size(); ++i) {
-        for (std::size_t j = i + 1; j < here.size(); ++j) {
+        for (std::size_t j = i + 1; j < here.size() && found.size() < most; ++j) {
           // Once, in the first cell that both are in.
-          const std::uint64_t both = entries[first + i] | entries[first + j];
-          if ((both & on_all_axes) == on_all_axes && here[i].meets(here[j]))
-            visit(face_of(entries[first + i]), face_of(entries[first + j]));
+          const Entry both = entries[first + i] | entries[first + j];
+          if ((both & begins_on_all_axes) == begins_on_all_axes && here[i].meets(here[j]))
+            try_pair(face_of(entries[first + i]), face_of(entries[first + j]), found);
         }
       }
       first = last;
-    }
-    for (std::size_t l = 0; l < large.size(); ++l) {
-      for (std::uint32_t f = 0; f < faces_.size() && found_.size() < most_; ++f) {
-        const bool later = std::binary_search(large.begin(), large.end(), f);
-        if ((later ? f > large[l] : true) && boxes_[large[l]].meets(boxes_[f])) visit(large[l], f);
-      }
-    }
-  }
-
-  // Of fewer than 2^27 cells, nine bits after nine; within one the faces ascend as they did.
-  static void sort_by_cell(std::vector<std::uint64_t>& entries) {
-    constexpr unsigned digit = 9;
-    std::vector<std::uint64_t> sorted(entries.size());
-    for (unsigned shift = 32; shift < 32 + 3 * digit; shift += digit) {
-      std::array<std::size_t, (1U << digit) + 1> starts{};
-      const auto digit_of = [shift](std::uint64_t entry) { return (entry >> shift) & ((1U << digit) - 1); };
-      for (const std::uint64_t entry : entries) ++starts[digit_of(entry) + 1];
-      for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
-      for (const std::uint64_t entry : entries) sorted[starts[digit_of(entry)]++] = entry;
-      entries.swap(sorted);
     }
   }
 
@@ -221,8 +246,8 @@ class CrossingSearch {
     return result;
   }
 
-  void try_pair(std::uint32_t a, std::uint32_t b) {
-    if (found_.size() >= most_) return;
+  void try_pair(std::uint32_t one, std::uint32_t other, std::vector<Crossing>& found) const {
+    const auto [a, b] = std::minmax(one, other);
     const CrossingFace& face_a = faces_[a];
     const CrossingFace& face_b = faces_[b];
     const SharedCorners shared = shared_corners(corners_[a], corners_[b]);
@@ -238,7 +263,7 @@ class CrossingSearch {
                                  inside_on_both_sides(face_b, face_a.plane, along.axis));
     for (const auto& [low, high] : cuts) {
       if (!scene_.surfaces.empty() && is_short(low.point, high.point)) continue;
-      Crossing& crossing = found_.emplace_back(Crossing{a, b, {low.point, high.point}});
+      Crossing& crossing = found.emplace_back(Crossing{a, b, {low.point, high.point}});
       if (along.sign < 0) std::swap(crossing.ends[0], crossing.ends[1]);
     }
   }
@@ -285,17 +310,16 @@ class CrossingSearch {
   }
 
   const PolyScene& scene_;
+  unsigned jobs_;
   std::vector<CrossingFace> faces_;
   std::vector<FaceBox> boxes_;  // of each
   std::vector<Triangle> corners_;  // of each
-  std::vector<Crossing> found_;
-  std::size_t most_ = 0;
 };
 
 }  // namespace
 
-PolyScene with_crossings(PolyScene scene) {
-  const std::vector<Crossing> crossings = crossings_of(scene);
+PolyScene with_crossings(PolyScene scene, unsigned jobs) {
+  const std::vector<Crossing> crossings = crossings_of(scene, std::numeric_limits<std::size_t>::max(), jobs);
   if (crossings.empty()) return scene;
   std::vector<std::uint32_t> body_of;  // of each face
   for (std::uint32_t b = 0; b < scene.bodies.size(); ++b) body_of.insert(body_of.end(), scene.bodies[b].faces.size(), b);
@@ -307,9 +331,9 @@ PolyScene with_crossings(PolyScene scene) {
   return scene;
 }
 
-std::vector<Crossing> crossings_of(const PolyScene& scene, std::size_t most) {
-  if (are_plainly_apart(scene)) return {};
-  return CrossingSearch(scene).run(most);
+std::vector<Crossing> crossings_of(const PolyScene& scene, std::size_t most, unsigned jobs) {
+  if (are_plainly_apart(scene, jobs)) return {};
+  return CrossingSearch(scene, jobs).run(most);
 }
 
 }  // namespace sightline::scene

@@ -26,12 +26,12 @@ struct Crossing {
 
 // Of a checked scene, ascending by the faces; at most `most`. Those between faces of one surface are left out, and in a mesh
 // those that are shorter than two steps, as rounding a file makes some. Near-linear in the faces unless many of
-// them are near each other.
-[[nodiscard]] std::vector<Crossing> crossings_of(const PolyScene& scene,
-                                                 std::size_t most = std::numeric_limits<std::size_t>::max());
+// them are near each other. With `jobs` threads; the result is the same.
+[[nodiscard]] std::vector<Crossing> crossings_of(const PolyScene& scene, std::size_t most = std::numeric_limits<std::size_t>::max(),
+                                                 unsigned jobs = 1);
 
 // The same scene with its crossings. A body that passes through itself is a sheet in it: behind the crossing its faces may be
 // turned the wrong side out, and then those turned away from the eye are seen and hide others.
-[[nodiscard]] PolyScene with_crossings(PolyScene scene);
+[[nodiscard]] PolyScene with_crossings(PolyScene scene, unsigned jobs = 1);
 
 }  // namespace sightline::scene

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "host/base/threads.hpp"
+
 namespace sightline::scene {
 namespace {
 
@@ -42,8 +44,8 @@ void sort_few(std::uint64_t* begin, std::uint64_t* end) {
 
 }  // namespace
 
-EdgeTable::EdgeTable(const PolyScene& scene) {
-  build(scene.vertices.size(), [&scene](auto visit) {
+EdgeTable::EdgeTable(const PolyScene& scene, unsigned jobs) {
+  build(scene.vertices.size(), jobs, [&scene](auto visit) {
     std::uint32_t number = 0;
     for (const PolyBody& body : scene.bodies) {
       for (const PolyFace& face : body.faces) {
@@ -57,29 +59,42 @@ EdgeTable::EdgeTable(const PolyScene& scene) {
   });
 }
 
-EdgeTable::EdgeTable(std::size_t vertices, std::span<const Ring* const> outlines) {
-  build(vertices, [outlines](auto visit) {
+EdgeTable::EdgeTable(std::size_t vertices, std::span<const Ring* const> outlines, unsigned jobs) {
+  build(vertices, jobs, [outlines](auto visit) {
     for (std::uint32_t face = 0; face < outlines.size(); ++face) for_ring(*outlines[face], face, visit);
   });
 }
 
 // Sides sorted by their lower vertex by counting, then by the higher within the few of one vertex.
 template <class ForSides>
-void EdgeTable::build(std::size_t vertices, ForSides for_sides) {
+void EdgeTable::build(std::size_t vertices, unsigned jobs, ForSides for_sides) {
+  // Each thread has the sides of the lower vertices `begin` to `end` - 1.
+  const auto for_sides_of = [&](std::size_t begin, std::size_t end, auto visit) {
+    for_sides([&](VertexIndex from, VertexIndex to, std::uint32_t face) {
+      const VertexIndex low = std::min(from, to);
+      if (begin <= low && low < end) visit(low, packed(std::max(from, to), face, from < to));
+    });
+  };
   std::vector<std::uint32_t> start(vertices + 1);
-  for_sides([&](VertexIndex from, VertexIndex to, std::uint32_t) { ++start[std::min(from, to)]; });
+  base::for_parts(jobs, vertices, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for_sides_of(begin, end, [&](VertexIndex low, std::uint64_t) { ++start[low]; });
+  });
   std::uint32_t count = 0;
   for (std::uint32_t& s : start) s = std::exchange(count, count + s);
   std::vector<std::uint64_t> sides(count);
-  for_sides([&](VertexIndex from, VertexIndex to, std::uint32_t face) {
-    sides[start[std::min(from, to)]++] = packed(std::max(from, to), face, from < to);
+  base::for_parts(jobs, vertices, [&](std::size_t, std::size_t begin, std::size_t end) {
+    std::uint32_t first = start[begin];
+    for_sides_of(begin, end, [&](VertexIndex low, std::uint64_t side) { sides[start[low]++] = side; });
+    // Now start[v] is where the sides of v end.
+    for (std::size_t v = begin; v < end; ++v) {
+      sort_few(sides.data() + first, sides.data() + start[v]);
+      first = start[v];
+    }
   });
-  // Now start[v] is where the sides of v end.
   edges_.reserve(count / 2 + 2);
   uses_.reserve(count);
   std::uint32_t begin = 0;
   for (VertexIndex v = 0; v < vertices; ++v) {
-    sort_few(sides.data() + begin, sides.data() + start[v]);
     for (std::uint32_t i = begin; i < start[v]; ++i) {
       const auto high = static_cast<VertexIndex>(sides[i] >> 32U);
       if (i == begin || high != static_cast<VertexIndex>(sides[i - 1] >> 32U))

@@ -27,10 +27,10 @@ class EdgeTable {
   };
 
   // Every index of a face or wire is below the number of vertices (precondition). Sides from a vertex to
-  // itself are left out. Linear time, except for sorting the sides at a vertex.
-  explicit EdgeTable(const PolyScene& scene);
+  // itself are left out. Linear time, except for sorting the sides at a vertex. `jobs` threads; the table is the same for any number.
+  explicit EdgeTable(const PolyScene& scene, unsigned jobs = 1);
   // Of faces without holes.
-  EdgeTable(std::size_t vertices, std::span<const Ring* const> outlines);
+  EdgeTable(std::size_t vertices, std::span<const Ring* const> outlines, unsigned jobs = 1);
 
   [[nodiscard]] std::size_t size() const { return edges_.size() - 1; }
   [[nodiscard]] const Edge& operator[](std::size_t edge) const { return edges_[edge]; }
@@ -43,7 +43,7 @@ class EdgeTable {
 
  private:
   template <class ForSides>
-  void build(std::size_t vertices, ForSides for_sides);
+  void build(std::size_t vertices, unsigned jobs, ForSides for_sides);
 
   std::vector<Edge> edges_;  // with one more entry, where the uses end
   std::vector<Use> uses_;

@@ -1,6 +1,7 @@
 // Vertices without repetition, for generators and for formats that write each face's corners as points.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -9,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "host/base/threads.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::scene {
@@ -48,15 +50,7 @@ class VertexPool {
     return found == none ? std::nullopt : std::optional(found);
   }
 
- private:
-  static constexpr VertexIndex none = 0xffffffff;
-  using Bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t>;
-
-  // By their bits: NaN equals itself, and there is no -0.
-  static bool are_same(const Point& a, const Point& b) {
-    return std::bit_cast<std::array<Bits, 3>>(a) == std::bit_cast<std::array<Bits, 3>>(b);
-  }
-
+  // Equal for equal points without -0.
   static std::uint64_t hash(const Point& point) {
     std::uint64_t h = 0;
     for (const Number c : point) {
@@ -64,6 +58,15 @@ class VertexPool {
       h ^= h >> 32U;
     }
     return h;
+  }
+
+ private:
+  static constexpr VertexIndex none = 0xffffffff;
+  using Bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t>;
+
+  // By their bits: NaN equals itself, and there is no -0.
+  static bool are_same(const Point& a, const Point& b) {
+    return std::bit_cast<std::array<Bits, 3>>(a) == std::bit_cast<std::array<Bits, 3>>(b);
   }
 
   // Half of the hash is stored with each vertex, so that most other vertices are rejected without reading their points.
@@ -94,5 +97,64 @@ class VertexPool {
   std::vector<Point>& vertices_;
   std::vector<Place> places_;  // a power of two of them, at most half full
 };
+
+// Appends the points 0 to `count` - 1 without repetition to `vertices`, which is empty, in the order in which they first come, and calls take(i, vertex) with
+// the number of each. `likely`: how many different ones there probably are. With several threads, each first numbers the points of
+// one class, which is a part of all hashes; `take` is called from all threads.
+template <class Number, class PointOf, class Take>
+void pool_points(std::size_t count, PointOf point_of, std::size_t likely, unsigned jobs, std::vector<std::array<Number, 3>>& vertices, Take take) {
+  using Point = std::array<Number, 3>;
+  if (jobs == 1) {
+    VertexPool<Number> pool(vertices);
+    pool.reserve(likely);
+    for (std::size_t i = 0; i < count; ++i) take(i, pool.add(point_of(i)));
+    return;
+  }
+  std::vector<std::uint8_t> class_of(count);
+  const std::size_t class_count = std::min(jobs, 256U);
+  base::for_parts(jobs, count, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      Point point = point_of(i);
+      for (Number& c : point) c += Number{0};  // no -0
+      class_of[i] = static_cast<std::uint8_t>((VertexPool<Number>::hash(point) >> 40U) % class_count);
+    }
+  });
+  struct Class {
+    std::vector<Point> vertices;
+    std::vector<std::size_t> first;      // of each vertex: the first point that is equal to it
+    std::vector<VertexIndex> vertex_of;  // of each point of the class
+    std::vector<VertexIndex> numbers;    // of the vertices, among those of all classes
+  };
+  std::vector<Class> classes(class_count);
+  base::for_parts(static_cast<unsigned>(class_count), class_count, [&](std::size_t number, std::size_t, std::size_t) {
+    Class& mine = classes[number];
+    VertexPool<Number> pool(mine.vertices);
+    pool.reserve(likely / class_count);
+    mine.vertex_of.reserve(count / class_count);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (class_of[i] != number) continue;
+      mine.vertex_of.push_back(pool.add(point_of(i)));
+      if (mine.vertices.size() > mine.first.size()) mine.first.push_back(i);
+    }
+    mine.first.push_back(count);
+  });
+  std::size_t all = 0;
+  for (const Class& one : classes) all += one.vertices.size();
+  vertices.reserve(all);
+  while (vertices.size() < all) {
+    const auto next_of = [](const Class& one) { return one.first[one.numbers.size()]; };
+    Class& next = *std::min_element(classes.begin(), classes.end(), [&](const Class& a, const Class& b) { return next_of(a) < next_of(b); });
+    vertices.push_back(next.vertices[next.numbers.size()]);
+    next.numbers.push_back(static_cast<VertexIndex>(vertices.size() - 1));
+  }
+  base::for_parts(jobs, count, [&](std::size_t, std::size_t begin, std::size_t end) {
+    std::vector<std::size_t> next(class_count);  // point of each class
+    for (std::size_t i = 0; i < begin; ++i) ++next[class_of[i]];
+    for (std::size_t i = begin; i < end; ++i) {
+      const Class& mine = classes[class_of[i]];
+      take(i, mine.numbers[mine.vertex_of[next[class_of[i]]++]]);
+    }
+  });
+}
 
 }  // namespace sightline::scene

@@ -161,7 +161,7 @@ SceneReading read_scene(SceneFile file, const PolyImportOptions& options) {
   } else if (format == PolyFormat::json || is_cell_complex(file.text)) {
     read_json(file, reading);
   } else {
-    auto mesh = read_mesh(file.text, file.name, format, file.folder);
+    auto mesh = read_mesh(file.text, file.name, format, file.folder, options.jobs);
     std::string().swap(file.text);  // its memory is needed for mending
     if (mesh) {
       take_polyhedra(import_poly(std::move(*mesh), options), reading);

@@ -14,7 +14,7 @@ EdgeTable MendedMesh::edge_table() const {
   std::vector<const Ring*> outlines;
   outlines.reserve(pieces.size());
   for (const Piece& piece : pieces) outlines.push_back(&piece.ring);
-  return {points().size(), outlines};
+  return {points().size(), outlines, options.jobs};
 }
 
 double MendedMesh::deviation(const Ring& ring, const geometry::Vector3& normal) const {

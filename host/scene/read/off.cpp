@@ -10,9 +10,11 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "host/base/number.hpp"
 #include "host/base/result.hpp"
+#include "host/base/threads.hpp"
 #include "host/scene/read/poly_text.hpp"
 #include "host/scene/read/precision.hpp"
 
@@ -33,12 +35,15 @@ class OffReader {
     mesh_.source = source;
   }
 
-  base::Result<PolyMesh> run() {
-    if (read_header() && read_vertices() && read_faces()) {
+  base::Result<PolyMesh> run(unsigned jobs) {
+    if (read_header() && !(jobs > 1 && read_parts(jobs)) && read_vertices() && read_faces()) {
       if (const std::string_view more = lines_.take(); !more.empty())
         error_ = lines_.unexpected(more, "nothing after the last face");
     }
     if (error_) return *error_;
+    if (materials_.size() < 2) mesh_.materials.clear();
+    mesh_.materials_are_colours = !mesh_.materials.empty();
+    mesh_.precision = precision_.result(mesh_.vertices);
     return std::move(mesh_);
   }
 
@@ -125,25 +130,27 @@ class OffReader {
   bool read_vertices() {
     mesh_.vertices.reserve(std::min(vertices_, size_ / 6));  // "0 0 0\n"
     for (std::size_t v = 0; v < vertices_; ++v) {
-      std::array<double, 3> point{};
       if (!find_line()) {
         return fail(
             lines_.error("found " + std::to_string(v) + " vertices, expected " + std::to_string(vertices_)));
       }
-      if (layout_ == OffLayout::lines) {
-        const auto& fields = lines_.fields();
-        if (fields.size() < 3)
-          return fail(lines_.error("found " + std::to_string(fields.size()) + " numbers, expected x, y and z"));
-        for (std::size_t i = 0; i < fields.size(); ++i)
-          if (!read_coordinate(fields[i], i, point)) return false;
-        lines_.pass_over(fields.size());
-      } else {
-        for (std::size_t i = 0; i < 3 + more_of_vertex_; ++i)
-          if (!read_coordinate(lines_.take(), i, point)) return false;
-      }
-      mesh_.vertices.push_back(point);
+      if (!read_vertex(mesh_.vertices.emplace_back())) return false;
     }
-    mesh_.precision = precision_.result(mesh_.vertices);
+    return true;
+  }
+
+  bool read_vertex(std::array<double, 3>& point) {
+    if (layout_ == OffLayout::lines) {
+      const auto& fields = lines_.fields();
+      if (fields.size() < 3)
+        return fail(lines_.error("found " + std::to_string(fields.size()) + " numbers, expected x, y and z"));
+      for (std::size_t i = 0; i < fields.size(); ++i)
+        if (!read_coordinate(fields[i], i, point)) return false;
+      lines_.pass_over(fields.size());
+    } else {
+      for (std::size_t i = 0; i < 3 + more_of_vertex_; ++i)
+        if (!read_coordinate(lines_.take(), i, point)) return false;
+    }
     return true;
   }
 
@@ -158,9 +165,51 @@ class OffReader {
       }
       if (!read_face(faces.emplace_back())) return false;
     }
-    if (materials_.size() < 2) mesh_.materials.clear();
-    mesh_.materials_are_colours = !mesh_.materials.empty();
     return true;
+  }
+
+  // By several threads, if all vertices and faces have a line of their own and nothing is wrong with any. False: nothing was read, and
+  // what is wrong has to be found from the first line on. A thread reads every so many-th part, as vertices take longer than faces.
+  bool read_parts(unsigned jobs) {
+    if (layout_ != OffLayout::lines || !lines_.rest().empty()) return false;
+    const std::size_t count = std::size_t{8} * jobs;
+    const std::vector<std::string_view> texts = lines_.parts(count);
+    std::vector<std::size_t> first(count + 1);  // line of each part
+    base::for_parts(jobs, jobs, [&](std::size_t job, std::size_t, std::size_t) {
+      for (std::size_t part = job; part < count; part += jobs) first[part + 1] = count_lines(texts[part]);
+    });
+    for (std::size_t part = 0; part < count; ++part) first[part + 1] += first[part];
+    if (first[count] != vertices_ + faces_) return false;
+    std::vector<std::array<double, 3>> points(vertices_);
+    std::vector<PolyFace> faces(faces_);
+    std::vector<std::optional<OffReader>> readers(count);  // empty: something is wrong
+    base::for_parts(jobs, jobs, [&](std::size_t job, std::size_t, std::size_t) {
+      for (std::size_t part = job; part < count; part += jobs) {
+        OffReader reader(texts[part], {}, layout_);
+        reader.vertices_ = vertices_;
+        bool read = true;
+        for (std::size_t line = first[part]; read && line < first[part + 1]; ++line)
+          read = reader.lines_.next() && (line < vertices_ ? reader.read_vertex(points[line]) : reader.read_face(faces[line - vertices_]));
+        if (read && !reader.mesh_.flaw) readers[part] = std::move(reader);
+      }
+    });
+    for (const auto& reader : readers)
+      if (!reader) return false;
+    mesh_.vertices = std::move(points);
+    mesh_.bodies.emplace_back().faces = std::move(faces);
+    for (const auto& reader : readers) take_materials(*reader);
+    return true;
+  }
+
+  // Those of the next part, and how exactly its numbers are written.
+  void take_materials(const OffReader& part) {
+    precision_.add(part.precision_);
+    std::vector<const std::string*> colours(part.materials_.size());
+    for (const auto& [colour, number] : part.materials_) colours[number] = &colour;
+    std::vector<std::uint32_t> numbers;
+    for (const std::string* colour : colours)
+      numbers.push_back(materials_.try_emplace(*colour, static_cast<std::uint32_t>(materials_.size())).first->second);
+    for (const std::uint32_t material : part.mesh_.materials) mesh_.materials.push_back(numbers[material]);
   }
 
   bool read_face(PolyFace& face) {
@@ -212,11 +261,11 @@ class OffReader {
 
 }  // namespace
 
-base::Result<PolyMesh> read_off(std::string_view text, std::string_view source) {
-  auto mesh = OffReader(text, source, OffLayout::lines).run();
+base::Result<PolyMesh> read_off(std::string_view text, std::string_view source, unsigned jobs) {
+  auto mesh = OffReader(text, source, OffLayout::lines).run(jobs);
   for (const OffLayout layout : {OffLayout::faces, OffLayout::stream}) {
     if (mesh) break;
-    if (auto other = OffReader(text, source, layout).run()) return other;
+    if (auto other = OffReader(text, source, layout).run(jobs)) return other;
   }
   return mesh;
 }

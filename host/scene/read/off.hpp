@@ -15,6 +15,6 @@
 
 namespace sightline::scene {
 
-[[nodiscard]] base::Result<PolyMesh> read_off(std::string_view text, std::string_view source);
+[[nodiscard]] base::Result<PolyMesh> read_off(std::string_view text, std::string_view source, unsigned jobs = 1);
 
 }  // namespace sightline::scene

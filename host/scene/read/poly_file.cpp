@@ -313,10 +313,11 @@ PolyFormat poly_format_of(std::string_view file, std::string_view text) {
   return named.value_or(stl ? PolyFormat::stl : PolyFormat::json);
 }
 
-base::Result<PolyMesh> read_mesh(std::string_view text, std::string_view source, PolyFormat format, const std::string& folder) {
+base::Result<PolyMesh> read_mesh(std::string_view text, std::string_view source, PolyFormat format, const std::string& folder,
+                                 unsigned jobs) {
   switch (format) {
-    case PolyFormat::off: return read_off(text, source);
-    case PolyFormat::stl: return read_stl(text, source);
+    case PolyFormat::off: return read_off(text, source, jobs);
+    case PolyFormat::stl: return read_stl(text, source, jobs);
     case PolyFormat::ply: return read_ply(text, source);
     case PolyFormat::gltf: return read_gltf(text, source, folder);
     case PolyFormat::glb: return read_glb(text, source, folder);
@@ -339,7 +340,7 @@ base::Result<PolyImport> read_poly(std::string_view text, std::string_view sourc
     if (!scene) return std::move(scene.error());
     return import_unchanged(std::move(*scene));
   }
-  auto mesh = read_mesh(text, source, format, options.folder);
+  auto mesh = read_mesh(text, source, format, options.folder, options.jobs);
   if (!mesh) return std::move(mesh.error());
   auto import = import_poly(std::move(*mesh), options);
   if (import && !import->faults.empty()) return first_of(import->faults);

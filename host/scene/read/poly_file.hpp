@@ -29,9 +29,9 @@ inline constexpr std::string_view poly_endings = ".json, .off, .obj, .stl or .pl
 [[nodiscard]] base::Result<PolyImport> read_poly(std::string_view text, std::string_view source,
                                                  PolyFormat format, const PolyImportOptions& options = {});
 
-// What the file of a mesh says, before anything is done to it; `folder` as PolyImportOptions has it. Not of JSON.
+// What the file of a mesh says, before anything is done to it; `folder` and `jobs` as PolyImportOptions has them. Not of JSON.
 [[nodiscard]] base::Result<PolyMesh> read_mesh(std::string_view text, std::string_view source, PolyFormat format,
-                                               const std::string& folder);
+                                               const std::string& folder, unsigned jobs = 1);
 
 // What reading says of a scene that was not quantised: JSON, or generated.
 [[nodiscard]] PolyImport import_unchanged(PolyScene scene);

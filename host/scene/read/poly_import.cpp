@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "host/base/result.hpp"
+#include "host/base/threads.hpp"
 #include "host/geometry/box_tree.hpp"
 #include "host/geometry/vector.hpp"
 #include "host/scene/model/aim_camera.hpp"
@@ -105,23 +106,28 @@ class Import {
   }
 
   void quantise() {
-    const Quantisation q = quantisation_of(mesh_.vertices, options_.eye);
+    const Quantisation q = quantisation_of(mesh_.vertices, options_.eye, options_.jobs);
     scene().step = report().step = q.step;
     scene().origin = q.origin;
     report().quantised = !q.as_it_is;
-    scene().vertices.reserve(mesh_.vertices.size());
+    scene().vertices.resize(mesh_.vertices.size());
     const std::array<double, 3> origin = file_point(scene(), {});
-    for (auto& vertex : mesh_.vertices) {
-      PolyPoint p{};
-      for (std::size_t a = 0; a < 3; ++a) {
-        p[a] = quantised(vertex[a], q, a);
-        report().largest_shift = std::max(report().largest_shift,
-                                          std::abs(q.value_of(std::int64_t{p[a]} + q.origin[a]) - vertex[a]));
-        reach_ = std::max(reach_, std::abs(vertex[a]));
-        vertex[a] -= origin[a];  // what is computed from it has the bits for the size of the scene alone
+    std::vector<double> shift(options_.jobs);  // the largest one in each part
+    std::vector<double> reach(options_.jobs);
+    base::for_parts(options_.jobs, mesh_.vertices.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) {
+        for (std::size_t a = 0; a < 3; ++a) {
+          std::int32_t& c = scene().vertices[v][a];
+          double& in_file = mesh_.vertices[v][a];
+          c = quantised(in_file, q, a);
+          shift[part] = std::max(shift[part], std::abs(q.value_of(std::int64_t{c} + q.origin[a]) - in_file));
+          reach[part] = std::max(reach[part], std::abs(in_file));
+          in_file -= origin[a];  // what is computed from it has the bits for the size of the scene alone
+        }
       }
-      scene().vertices.push_back(p);
-    }
+    });
+    report().largest_shift = *std::max_element(shift.begin(), shift.end());
+    reach_ = *std::max_element(reach.begin(), reach.end());
     size_ = 2 * static_cast<double>(bounds_of(scene()).half_size()) * report().step;
   }
 
@@ -192,7 +198,7 @@ class Import {
     // Numbers so short that this would be much of the mesh are meant as they are: a bevel of 0.2 is none of their errors.
     const double much = 2 * static_cast<double>(bounds_of(scene()).half_size()) * report().step / 1000;
     const double tolerance = options_.planar_tolerance.value_or(std::max(std::min(4 * mesh_.precision, much), options_.weld));
-    find_surfaces(scene(), mended, file, std::max(tolerance, least_tolerance()));
+    find_surfaces(scene(), mended, file, std::max(tolerance, least_tolerance()), options_.jobs);
     if (report().quantised && !scene().wires.empty()) find_surfaces_of_wires();
     if (mesh_.materials.empty()) return std::nullopt;
     scene().materials_are_colours = mesh_.materials_are_colours;
@@ -271,7 +277,8 @@ class Import {
             .step = result_.report.step,
             .rounded = result_.report.largest_shift > 0,
             .tolerance = std::max(whole ? 2 : 2 * mesh_.precision, least_tolerance()),
-            .name_faults = !options_.mend && !mesh_.flaw};
+            .name_faults = !options_.mend && !mesh_.flaw,
+            .jobs = options_.jobs};
   }
 
   // What double coordinates leave uncertain of a plane.

@@ -64,6 +64,7 @@ struct PolyImportOptions {
   std::string folder = {};  // in which the file is, for what it refers to; empty: in none
   std::string unit = {};    // of the coordinates, where the format does not say it
   base::Watch watch = {};   // follows the reading, and may end it: Error cancelled
+  unsigned jobs = 1;        // threads; the result is the same for any number
 };
 
 struct PolyImportReport {

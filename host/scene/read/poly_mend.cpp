@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "host/base/threads.hpp"
 #include "host/geometry/predicates.hpp"
 #include "host/scene/check/poly_scene.hpp"
 #include "host/scene/model/edge_table.hpp"
@@ -100,7 +101,7 @@ class Mending {
   [[nodiscard]] const std::vector<PolyPoint>& points() const { return scene_.vertices; }
 
   void take_faces() {
-    target_ = equal_points(points());
+    target_ = equal_points(points(), options_.jobs);
     if (options_.name_faults) name_faulty_vertices();
     if (options_.weld > 0) join_near(points(), options_.weld, target_);
     for (VertexIndex v = 0; v < target_.size(); ++v) report_.merged_vertices += target_[v] != v ? 1U : 0U;
@@ -150,6 +151,19 @@ class Mending {
       mesh_.add_fault(piece, "has the same vertices as face " + std::to_string(mesh_.face_in_body(first)));
   }
 
+  // The faces for whose rings a condition holds, ascending.
+  template <class Condition>
+  [[nodiscard]] std::vector<std::uint32_t> rings_where(Condition holds) const {
+    std::vector<std::vector<std::uint32_t>> parts(options_.jobs);
+    base::for_parts(options_.jobs, pieces_.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+      for (std::size_t p = begin; p < end; ++p)
+        if (holds(pieces_[p].ring)) parts[part].push_back(static_cast<std::uint32_t>(p));
+    });
+    std::vector<std::uint32_t> found = std::move(parts[0]);
+    for (std::size_t part = 1; part < parts.size(); ++part) found.insert(found.end(), parts[part].begin(), parts[part].end());
+    return found;
+  }
+
   void put_in_order() {
     split_faces();
     drop_duplicates();
@@ -167,10 +181,8 @@ class Mending {
   // in the list, the others at its end.
   void split_faces() {
     const std::size_t count = pieces_.size();
-    for (std::size_t p = 0; p < count; ++p) {
-      if (pieces_[p].ring.size() <= 3) continue;
+    for (const std::uint32_t p : rings_where([this](const Ring& ring) { return ring.size() > 3 && !is_plainly_in_order(points(), ring); })) {
       const Ring& ring = pieces_[p].ring;
-      if (is_plainly_in_order(points(), ring)) continue;
       if (on_a_line(ring)) {
         mark_faulty(pieces_[p]);
         MendedMesh::leave_out(pieces_[p], report_.dropped_faces);
@@ -198,30 +210,26 @@ class Mending {
   }
 
   void drop_duplicates() {
-    IndexSet numbers(pieces_.size());
-    Ring mine;
-    Ring other;
-    const auto sorted_into = [](Ring& sorted, const Ring& ring) {
-      sorted = ring;
-      std::sort(sorted.begin(), sorted.end());
-    };
     // The same for every order of the vertices.
-    const auto key_of_piece = [](const Piece& piece) {
-      std::uint64_t key = piece.body;
-      for (const VertexIndex v : piece.ring) key += spread(v + 1);
+    const auto key_of_piece = [this](std::uint32_t p) {
+      std::uint64_t key = pieces_[p].body;
+      for (const VertexIndex v : pieces_[p].ring) key += spread(v + 1);
       return key;
     };
+    const auto are_same = [this](std::uint32_t p, std::uint32_t q) {
+      if (pieces_[p].body != pieces_[q].body || pieces_[p].ring.size() != pieces_[q].ring.size()) return false;
+      Ring one = pieces_[p].ring;
+      Ring other = pieces_[q].ring;
+      std::sort(one.begin(), one.end());
+      std::sort(other.begin(), other.end());
+      return one == other;
+    };
+    // Faces that are left out already have no vertices, so they are equal to each other alone.
+    const std::vector<std::uint32_t> first = first_of_same(pieces_.size(), key_of_piece, are_same, options_.jobs);
     for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
       Piece& piece = pieces_[p];
-      if (piece.left_out) continue;
-      const std::uint32_t first = numbers.find_or_add(key_of_piece(piece), p, [&](std::uint32_t q) {
-        if (pieces_[q].body != piece.body || pieces_[q].ring.size() != piece.ring.size()) return false;
-        sorted_into(mine, piece.ring);
-        sorted_into(other, pieces_[q].ring);
-        return mine == other;
-      });
-      if (first == p) continue;
-      if (mesh_.names_faults() && have_equal_corners(piece, pieces_[first])) duplicates_.push_back({piece, pieces_[first]});
+      if (first[p] == p || piece.left_out) continue;
+      if (mesh_.names_faults() && have_equal_corners(piece, pieces_[first[p]])) duplicates_.push_back({piece, pieces_[first[p]]});
       MendedMesh::leave_out(piece, report_.duplicate_faces);
     }
   }
@@ -254,9 +262,7 @@ class Mending {
   // The face beyond the longest side of a flat triangle gets its middle corner. It may be flat itself: then it
   // has to be given away first.
   void give_flat_triangles_away() {
-    std::vector<std::uint32_t> flat;
-    for (std::uint32_t p = 0; p < pieces_.size(); ++p)
-      if (middle_of_flat(pieces_[p].ring) < 3) flat.push_back(p);
+    const std::vector<std::uint32_t> flat = rings_where([this](const Ring& ring) { return middle_of_flat(ring) < 3; });
     if (flat.empty()) return;
     for (const std::uint32_t p : flat) mark_faulty(pieces_[p]);
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> faces_at;  // sides of flat triangles

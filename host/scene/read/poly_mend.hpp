@@ -58,6 +58,7 @@ struct MendOptions {
   bool rounded = false;    // coordinates of the file are not all on the grid
   double tolerance = 0;    // how far a vertex may be from an edge that it is on, in the unit of the file
   bool name_faults = false;
+  unsigned jobs = 1;       // threads; the result is the same for any number
 };
 
 struct MendReport {

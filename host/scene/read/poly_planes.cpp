@@ -2,13 +2,14 @@
 #include "host/scene/read/poly_planes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 
+#include "host/base/radix_sort.hpp"
+#include "host/base/threads.hpp"
 #include "host/geometry/vector.hpp"
 
 namespace sightline::scene {
@@ -28,8 +29,8 @@ struct FilePlane {
 
 class Surfaces {
  public:
-  Surfaces(PolyScene& scene, const MendResult& mended, const FileFaces& file, double tolerance)
-      : scene_(scene), mended_(mended), file_(file), tolerance_(tolerance) {}
+  Surfaces(PolyScene& scene, const MendResult& mended, const FileFaces& file, double tolerance, unsigned jobs)
+      : scene_(scene), mended_(mended), file_(file), tolerance_(tolerance), jobs_(jobs) {}
 
   void run() {
     measure();
@@ -37,8 +38,17 @@ class Surfaces {
     group_of_.assign(planes_.size(), no_group);
     reached_.assign(planes_.size(), 0);
     scene_.surfaces.reserve(planes_.size());
-    for (const std::uint32_t source : by_area())
-      if (group_of_[source] == no_group) gather(source);
+    std::vector<std::uint32_t> seeds;  // of the surfaces
+    seeds.reserve(planes_.size());
+    for (const std::uint32_t source : by_area()) {
+      if (group_of_[source] != no_group) continue;
+      gather(source);
+      seeds.push_back(source);
+    }
+    base::for_parts(jobs_, seeds.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t s = begin; s < end; ++s)
+        if (may_grow_[seeds[s]] == 0) scene_.surfaces[s].normal = planes_[seeds[s]].normal;
+    });
     scene_.surfaces.shrink_to_fit();
     scene_.surface_of.resize(mended_.faces.size());
     for (std::size_t f = 0; f < mended_.faces.size(); ++f) scene_.surface_of[f] = group_of_[mended_.faces[f].source];
@@ -53,8 +63,10 @@ class Surfaces {
       in_scene_[face.source] = true;
       turned[face.source] = face.turned;
     }
-    for (std::size_t s = 0; s < planes_.size(); ++s)
-      if (in_scene_[s]) planes_[s] = plane_of(file_.outline(s), turned[s]);
+    base::for_parts(jobs_, planes_.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t s = begin; s < end; ++s)
+        if (in_scene_[s]) planes_[s] = plane_of(file_.outline(s), turned[s]);
+    });
   }
 
   [[nodiscard]] FilePlane plane_of(std::span<const VertexIndex> outline, bool turned) const {
@@ -83,7 +95,7 @@ class Surfaces {
   }
 
   // The faces of the scene, the largest first; of equal ones the first in the file. Areas are not negative, so their bits have the
-  // same order. A radix sort uses the upper 32 bits; a comparison sort orders the few faces that agree in these.
+  // same order. The upper 32 bits are sorted by digits; a comparison sort orders the few faces that agree in these.
   [[nodiscard]] std::vector<std::uint32_t> by_area() const {
     struct Entry {
       std::uint32_t key = 0;
@@ -94,16 +106,7 @@ class Surfaces {
     const auto bits_of = [this](std::uint32_t source) { return ~std::bit_cast<std::uint64_t>(planes_[source].area); };
     for (std::uint32_t s = 0; s < planes_.size(); ++s)
       if (in_scene_[s]) entries.push_back({static_cast<std::uint32_t>(bits_of(s) >> 32U), s});
-    constexpr unsigned digit = 11;
-    std::vector<Entry> sorted(entries.size());
-    for (unsigned shift = 0; shift < 32; shift += digit) {
-      std::array<std::uint32_t, (1U << digit) + 1> starts{};
-      const auto digit_of = [shift](const Entry& entry) { return (entry.key >> shift) & ((1U << digit) - 1); };
-      for (const Entry& entry : entries) ++starts[digit_of(entry) + 1];
-      for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
-      for (const Entry& entry : entries) sorted[starts[digit_of(entry)]++] = entry;
-      entries.swap(sorted);
-    }
+    base::radix_sort(entries, 0, 32, [](const Entry& entry) { return entry.key; }, jobs_);
     std::vector<std::uint32_t> order;
     order.reserve(entries.size());
     for (const Entry& entry : entries) order.push_back(entry.source);
@@ -130,15 +133,25 @@ class Surfaces {
     for (std::size_t s = 1; s < starts_.size(); ++s) starts_[s] += starts_[s - 1];
     next_to_.resize(starts_.back());
     std::vector<std::uint32_t> fill(starts_.begin(), starts_.end() - 1);
-    may_grow_.assign(planes_.size(), false);
     for (const auto& [a, b] : mended_.neighbours) {
       if (a == b) continue;
       next_to_[fill[a]++] = b;
       next_to_[fill[b]++] = a;
-      // Tested here and not in gather(): in the order of the edges, neighbours are near each other in memory.
-      if (!may_grow_[a] && joins(b, planes_[a])) may_grow_[a] = true;
-      if (!may_grow_[b] && joins(a, planes_[b])) may_grow_[b] = true;
     }
+    // Tested here and not in gather(): in the order of the edges, neighbours are near each other in memory.
+    std::vector<std::vector<std::uint8_t>> may_grow(jobs_, std::vector<std::uint8_t>(planes_.size(), 0));
+    base::for_parts(jobs_, mended_.neighbours.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+      std::vector<std::uint8_t>& grows = may_grow[part];
+      for (std::size_t n = begin; n < end; ++n) {
+        const auto [a, b] = mended_.neighbours[n];
+        if (a == b) continue;
+        if (grows[a] == 0 && joins(b, planes_[a])) grows[a] = 1;
+        if (grows[b] == 0 && joins(a, planes_[b])) grows[b] = 1;
+      }
+    });
+    may_grow_ = std::move(may_grow[0]);
+    for (std::size_t part = 1; part < may_grow.size(); ++part)
+      for (std::size_t s = 0; s < may_grow_.size(); ++s) may_grow_[s] |= may_grow[part][s];
   }
 
   [[nodiscard]] bool joins(std::uint32_t source, const FilePlane& plane) const {
@@ -185,12 +198,16 @@ class Surfaces {
     return mean;
   }
 
+  // Adds the surface of a face. The normal is set later if no other face is on it.
   // The plane of a small face is inaccurate far away from it, so the mean plane of the group may contain more faces.
   void gather(std::uint32_t seed) {
     const auto group = static_cast<std::uint32_t>(scene_.surfaces.size());
+    scene_.surfaces.emplace_back();
+    group_of_[seed] = group;
+    if (may_grow_[seed] == 0) return;
     FilePlane plane = planes_[seed];
     members_.assign(1, seed);
-    if (plane.area > 0 && may_grow_[seed]) {
+    if (plane.area > 0) {
       flood(seed, plane, members_);
       constexpr int most_rounds = 16;
       for (int i = 0; i < most_rounds && members_.size() > 1; ++i) {
@@ -203,18 +220,19 @@ class Surfaces {
       }
     }
     for (const std::uint32_t source : members_) group_of_[source] = group;
-    scene_.surfaces.push_back({plane.normal});
+    scene_.surfaces.back().normal = plane.normal;
   }
 
   PolyScene& scene_;
   const MendResult& mended_;
   const FileFaces& file_;
   double tolerance_;
+  unsigned jobs_;
   std::vector<FilePlane> planes_;  // of the faces of the file
   std::vector<bool> in_scene_;
   std::vector<std::uint32_t> starts_;  // of each face of the file in next_to_
   std::vector<std::uint32_t> next_to_;
-  std::vector<bool> may_grow_;  // whether a neighbour of the face is in its plane
+  std::vector<std::uint8_t> may_grow_;  // 1 if a neighbour of the face is in its plane
   std::vector<std::uint32_t> group_of_;
   std::vector<std::uint32_t> reached_;  // by each face of the file: in which round
   std::uint32_t round_ = 0;
@@ -224,8 +242,8 @@ class Surfaces {
 
 }  // namespace
 
-void find_surfaces(PolyScene& scene, const MendResult& mended, const FileFaces& file, double tolerance) {
-  Surfaces(scene, mended, file, tolerance).run();
+void find_surfaces(PolyScene& scene, const MendResult& mended, const FileFaces& file, double tolerance, unsigned jobs) {
+  Surfaces(scene, mended, file, tolerance, jobs).run();
 }
 
 }  // namespace sightline::scene

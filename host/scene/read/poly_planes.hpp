@@ -17,7 +17,7 @@
 
 namespace sightline::scene {
 
-// Fills in scene.surfaces and scene.surface_of. `tolerance` in the unit of the file.
-void find_surfaces(PolyScene& scene, const MendResult& mended, const FileFaces& file, double tolerance);
+// Fills in scene.surfaces and scene.surface_of. `tolerance` in the unit of the file. With `jobs` threads; the result is the same.
+void find_surfaces(PolyScene& scene, const MendResult& mended, const FileFaces& file, double tolerance, unsigned jobs);
 
 }  // namespace sightline::scene

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/base/threads.hpp"
 #include "host/scene/model/file_units.hpp"
 
 namespace sightline::scene {
@@ -58,12 +59,15 @@ double steps(double value, double step) {
   return std::round(value / step);
 }
 
-bool is_lossless(const Vertices& vertices, const Quantisation& q) {
-  return std::all_of(vertices.begin(), vertices.end(), [&](const std::array<double, 3>& vertex) {
-    return std::all_of(vertex.begin(), vertex.end(), [&](double c) {
-      return q.value_of(static_cast<std::int64_t>(steps(c, q.step))) == c;
-    });
+bool is_lossless(const Vertices& vertices, const Quantisation& q, unsigned jobs) {
+  const auto keeps = [&q](const std::array<double, 3>& vertex) {
+    return std::all_of(vertex.begin(), vertex.end(), [&](double c) { return q.value_of(static_cast<std::int64_t>(steps(c, q.step))) == c; });
+  };
+  std::vector<std::uint8_t> keeps_all(jobs);
+  base::for_parts(jobs, vertices.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+    keeps_all[part] = std::all_of(vertices.data() + begin, vertices.data() + end, keeps) ? 1 : 0;
   });
+  return std::count(keeps_all.begin(), keeps_all.end(), 0) == 0;
 }
 
 // The middle of the scene, rounded down, so that the scene is the same wherever it lies.
@@ -77,7 +81,7 @@ PolyOrigin middle_of(const Bounds& bounds, double step) {
 }
 
 // What one step stands for, by the size of the scene alone.
-Quantisation without_origin(const Vertices& vertices, const Bounds& bounds) {
+Quantisation without_origin(const Vertices& vertices, const Bounds& bounds, unsigned jobs) {
   Quantisation result;
   const double size = bounds.size();
   const double reach = bounds.reach();
@@ -88,7 +92,7 @@ Quantisation without_origin(const Vertices& vertices, const Bounds& bounds) {
   for (const double step : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
     if (std::round(size / step) > aim || reach / step >= most_steps) continue;
     result.step = step;
-    if (is_lossless(vertices, result)) return result;
+    if (is_lossless(vertices, result, jobs)) return result;
   }
   result.step = std::max(step_for(size, aim), step_for(reach, most_steps));
   return result;
@@ -100,9 +104,9 @@ double Quantisation::value_of(std::int64_t n) const {
   return steps_in_file(n, step);
 }
 
-Quantisation quantisation_of(const Vertices& vertices, const std::optional<std::array<double, 3>>& eye) {
+Quantisation quantisation_of(const Vertices& vertices, const std::optional<std::array<double, 3>>& eye, unsigned jobs) {
   const Bounds bounds = bounds_of(vertices);
-  Quantisation q = without_origin(vertices, bounds);
+  Quantisation q = without_origin(vertices, bounds, jobs);
   // Where all coordinates are small enough, they are counted from 0.
   const double room = q.as_it_is ? poly_coordinate_limit - 1 : aim;
   if (steps(bounds.reach(), q.step) > room) q.origin = middle_of(bounds, q.step);

@@ -20,9 +20,10 @@ struct Quantisation {
   [[nodiscard]] double value_of(std::int64_t n) const;
 };
 
-// The values are finite. An eye, in the unit of the file, is given a place within the limit.
+// The values are finite. An eye, in the unit of the file, is given a place within the limit. With `jobs` threads; the result is the
+// same for any number.
 [[nodiscard]] Quantisation quantisation_of(const std::vector<std::array<double, 3>>& vertices,
-                                           const std::optional<std::array<double, 3>>& eye = {});
+                                           const std::optional<std::array<double, 3>>& eye = {}, unsigned jobs = 1);
 
 // The nearest multiple of the step (halves away from 0), less the origin: exact, as the multiples have 53 bits at
 // most. Below poly_coordinate_limit for every value that quantisation_of has seen.

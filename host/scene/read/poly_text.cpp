@@ -78,12 +78,52 @@ bool PolyLines::split_line() {
   return true;
 }
 
+std::vector<std::string_view> PolyLines::parts(std::size_t count) const {
+  const std::string_view text = text_.substr(std::min(at_, text_.size()));
+  // Where a line begins, and the one before it is not continued.
+  const auto find_line = [text](std::size_t from) {
+    while (true) {
+      const std::size_t end = text.find('\n', from);
+      if (end == std::string_view::npos) return text.size();
+      const std::size_t begin = text.substr(0, end).find_last_of("\r\n") + 1;  // npos + 1 is 0
+      if (text.substr(begin, end - begin).find('\\') == std::string_view::npos) return end + 1;
+      from = end + 1;
+    }
+  };
+  std::vector<std::string_view> result;
+  std::size_t begin = 0;
+  for (std::size_t part = 0; part < count; ++part) {
+    const std::size_t end = part + 1 == count ? text.size() : find_line(std::max(begin, text.size() / count * (part + 1)));
+    result.push_back(text.substr(begin, end - begin));
+    begin = end;
+  }
+  return result;
+}
+
 base::Error PolyLines::error(const std::string& cause) const {
   return {source_, number_ == 0 ? "end of file" : "line " + std::to_string(number_), cause};
 }
 
 base::Error PolyLines::unexpected(std::string_view found, const std::string& expected) const {
   return error("found " + (found.empty() ? "the end of the file" : quoted_excerpt(found)) + ", expected " + expected);
+}
+
+std::size_t count_lines(std::string_view text) {
+  std::size_t count = 0;
+  if (text.find('\\') != std::string_view::npos || text.find('\r') != std::string_view::npos) {
+    PolyLines lines(text, {});
+    while (lines.next()) ++count;
+    return count;
+  }
+  // No line is continued, and each ends with LF: it need not be split.
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::size_t first = 0;
+    while (first < end && is_blank(text[first])) ++first;
+    if (first < end && text[first] != '#') ++count;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return count;
 }
 
 std::optional<double> coordinate_of(std::string_view field) {

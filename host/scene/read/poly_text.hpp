@@ -29,6 +29,8 @@ class PolyLines {
   // The fields of this line that were not taken.
   [[nodiscard]] std::span<const std::string_view> rest() const { return std::span(fields_).subspan(taken_); }
   [[nodiscard]] bool at_first_field() const { return taken_ == 0; }
+  // What follows the current line, divided into parts of about equal length, each of whole lines; a part may be empty.
+  [[nodiscard]] std::vector<std::string_view> parts(std::size_t count) const;
   // Takes so many of them.
   void pass_over(std::size_t count) { taken_ += count; }
   // Error at the line last read, or at the end of the file when next() was false.
@@ -48,6 +50,9 @@ class PolyLines {
   std::size_t next_number_ = 1;
   std::size_t number_ = 0;  // 0: before the first line or behind the last
 };
+
+// How many lines have fields: so often next() is true.
+[[nodiscard]] std::size_t count_lines(std::string_view text);
 
 // A coordinate: a decimal number, or NaN for all spellings of what is no finite number ("nan", "-inf", "1.#IND", "1e999").
 // Empty for everything else.

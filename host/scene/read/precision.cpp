@@ -76,15 +76,26 @@ void TextPrecision::add(std::string_view written, double value) {
     }
   }
   const int last_decimal = std::max(exponent - decimals, -400);
-  Seen& seen = seen_[static_cast<std::size_t>(binary_exponent(value) - lowest)];
-  seen.last_decimal = std::min(seen.last_decimal, last_decimal);
-  seen.digits = std::max(seen.digits, digits);
-  const int decade = last_decimal + digits;
+  const Seen seen{last_decimal, digits};
+  seen_[static_cast<std::size_t>(binary_exponent(value) - lowest)].add(seen);
+  add_top(seen, last_decimal + digits);
+}
+
+void TextPrecision::add(const TextPrecision& other) {
+  for (std::size_t e = 0; e < seen_.size(); ++e) seen_[e].add(other.seen_[e]);
+  add_top(other.top_, other.top_decade_);
+}
+
+void TextPrecision::add_top(const Seen& seen, int decade) {
   if (decade < top_decade_) return;
-  if (decade > top_decade_) top_ = {last_decimal, digits};
+  if (decade > top_decade_) top_ = seen;
   top_decade_ = decade;
-  top_.last_decimal = std::min(top_.last_decimal, last_decimal);
-  top_.digits = std::max(top_.digits, digits);
+  top_.add(seen);
+}
+
+void TextPrecision::Seen::add(const Seen& other) {
+  last_decimal = std::min(last_decimal, other.last_decimal);
+  digits = std::max(digits, other.digits);
 }
 
 double TextPrecision::result(std::span<const std::array<double, 3>> vertices) const {
@@ -93,8 +104,7 @@ double TextPrecision::result(std::span<const std::array<double, 3>> vertices) co
   Seen all;
   for (std::size_t e = 0; e < seen_.size(); ++e) {
     if (std::ldexp(1.0, static_cast<int>(e) + lowest + 1) <= largest / 10) continue;
-    all.last_decimal = std::min(all.last_decimal, seen_[e].last_decimal);
-    all.digits = std::max(all.digits, seen_[e].digits);
+    all.add(seen_[e]);
   }
   constexpr int least_of_floating = 6;
   if (top_.digits == all.digits && all.digits >= least_of_floating) all.last_decimal = top_.last_decimal;

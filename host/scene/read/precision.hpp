@@ -24,6 +24,8 @@ class TextPrecision {
  public:
   // A coordinate as written, and its value; one that is not finite does not count.
   void add(std::string_view written, double value);
+  // All that `other` has seen.
+  void add(const TextPrecision& other);
   // 0: all are whole numbers, or there are none.
   [[nodiscard]] double result(std::span<const std::array<double, 3>> vertices) const;
 
@@ -31,7 +33,12 @@ class TextPrecision {
   struct Seen {
     int last_decimal = 0;  // the last digit stands for 10 to this power; at most 0
     int digits = 0;        // most significant digits of one number
+
+    void add(const Seen& other);
   };
+  // `decade`: the first digit stands for 10 to this power less 1.
+  void add_top(const Seen& seen, int decade);
+
   static constexpr int lowest = -1100;
   static constexpr int highest = 1100;
   std::vector<Seen> seen_ = std::vector<Seen>(highest - lowest);  // by binary exponent of the value

@@ -26,7 +26,7 @@ std::uint32_t little_endian_32(std::string_view bytes, std::size_t at) {
   return byte(0) | byte(1) << 8U | byte(2) << 16U | byte(3) << 24U;
 }
 
-base::Result<PolyMesh> read_binary_stl(std::string_view bytes, std::string_view source) {
+base::Result<PolyMesh> read_binary_stl(std::string_view bytes, std::string_view source, unsigned jobs) {
   const auto error = [&](std::size_t at, std::string found, std::string expected, std::string remedy = "") {
     return base::Error{std::string(source), "byte " + std::to_string(at), std::move(found), std::move(expected),
                        std::move(remedy)};
@@ -49,29 +49,26 @@ base::Result<PolyMesh> read_binary_stl(std::string_view bytes, std::string_view 
   }
   PolyMesh mesh;
   if (rest > 0) mesh.notes.push_back(std::to_string(rest) + (rest == 1 ? " byte" : " bytes") + " after the last triangle");
-  mesh.bodies.emplace_back().faces.reserve(static_cast<std::size_t>(triangles));
-  VertexPool<double> pool(mesh.vertices);
-  pool.reserve(static_cast<std::size_t>(triangles / 2 + 2));  // of a closed surface about half as many
-  const auto place_of = [](std::uint64_t triangle, std::size_t corner) {
-    return static_cast<std::size_t>(stl_triangles_at + triangle * stl_triangle_bytes + 12 * (corner + 1));
-  };
-  const auto point_at = [&bytes](std::size_t place) {
+  std::vector<PolyFace>& faces = mesh.bodies.emplace_back().faces;
+  faces.assign(static_cast<std::size_t>(triangles), {{0, 0, 0}, {}});
+  // Of the corners of all triangles.
+  const auto place_of = [](std::size_t corner) { return stl_triangles_at + corner / 3 * stl_triangle_bytes + 12 * (corner % 3 + 1); };
+  const auto point_of = [&](std::size_t corner) {
     std::array<double, 3> point{};
-    for (std::size_t a = 0; a < 3; ++a) point[a] = std::bit_cast<float>(little_endian_32(bytes, place + 4 * a));
+    for (std::size_t a = 0; a < 3; ++a) point[a] = std::bit_cast<float>(little_endian_32(bytes, place_of(corner) + 4 * a));
     return point;
   };
-  for (std::uint64_t t = 0; t < triangles; ++t) {
-    Ring& outline = mesh.bodies[0].faces.emplace_back().outline;
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const std::size_t place = place_of(t, corner);
-      const std::array<double, 3> point = point_at(place);
-      for (std::size_t a = 0; a < 3 && !mesh.flaw; ++a)
-        if (!std::isfinite(point[a]))
-          mesh.flaw = error(place + 4 * a, "found a coordinate of triangle " + std::to_string(t) + " that is no finite number", "a number");
-      outline.push_back(pool.add(point));
-    }
-  }
+  const auto likely = static_cast<std::size_t>(triangles / 2 + 2);  // of a closed surface about half as many
+  pool_points<double>(3 * faces.size(), point_of, likely, jobs, mesh.vertices,
+                      [&faces](std::size_t corner, VertexIndex vertex) { faces[corner / 3].outline[corner % 3] = vertex; });
   if (2 * mesh.vertices.size() < mesh.vertices.capacity()) mesh.vertices.shrink_to_fit();
+  const auto not_finite = [](const std::array<double, 3>& p) { return std::find_if_not(p.begin(), p.end(), [](double c) { return std::isfinite(c); }) - p.begin(); };
+  const bool all_finite = std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const auto& p) { return not_finite(p) == 3; });
+  for (std::size_t corner = 0; !all_finite && !mesh.flaw; ++corner) {
+    const auto axis = static_cast<std::size_t>(not_finite(point_of(corner)));
+    if (axis < 3)
+      mesh.flaw = error(place_of(corner) + 4 * axis, "found a coordinate of triangle " + std::to_string(corner / 3) + " that is no finite number", "a number");
+  }
   mesh.precision = float32_precision(mesh.vertices);
   return mesh;
 }
@@ -229,9 +226,9 @@ bool is_binary_stl(std::string_view bytes) {
                                             std::uint64_t{little_endian_32(bytes, stl_header_bytes)} * stl_triangle_bytes;
 }
 
-base::Result<PolyMesh> read_stl(std::string_view bytes, std::string_view source) {
+base::Result<PolyMesh> read_stl(std::string_view bytes, std::string_view source, unsigned jobs) {
   const bool text = !begins_as_binary_stl(bytes) && begins_as_text(bytes);
-  auto mesh = text ? TextStl(bytes, source).run() : read_binary_stl(bytes, source);
+  auto mesh = text ? TextStl(bytes, source).run() : read_binary_stl(bytes, source, jobs);
   if (!mesh) return mesh;
   mesh->source = source;
   mesh->vertical = 2;

@@ -22,6 +22,6 @@ namespace sightline::scene {
 [[nodiscard]] bool begins_as_binary_stl(std::string_view bytes);
 
 // Errors have a line and column, or a byte.
-[[nodiscard]] base::Result<PolyMesh> read_stl(std::string_view bytes, std::string_view source);
+[[nodiscard]] base::Result<PolyMesh> read_stl(std::string_view bytes, std::string_view source, unsigned jobs = 1);
 
 }  // namespace sightline::scene

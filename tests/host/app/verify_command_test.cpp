@@ -44,7 +44,7 @@ TEST_F(VerifyCommand, TheExitCodeTellsAFalseCertificateFromAMalformedOne) {
   const Ran refuted = verdict_of(with(certificate, "\nturned\n", "\n"));
   EXPECT_EQ(refuted.exit_code, 1);
   EXPECT_TRUE(has(refuted.err, "standard input: not proved: line ")) << refuted.err;
-  const Ran malformed = verdict_of(with(certificate, "\nturned\n", "\naway\n"));
+  const Ran malformed = verdict_of(with(certificate, "\nend\n", "\nfinish\n"));
   EXPECT_EQ(malformed.exit_code, 4);
   EXPECT_TRUE(has(malformed.err, "expected an edge, a wire, an intersection or the end")) << malformed.err;
   const Ran as_json = sightline({"verify", "-", "--json"}, with(certificate, "\nturned\n", "\n"));

@@ -138,6 +138,20 @@ TEST(HiddenLines, AFaceWithAHoleHidesWhatIsNotBehindTheHole) {
   mesh.vertices.push_back({20, 0, 0});
   mesh.bodies[0].faces[0].holes[0] = {7, 6, 10, 4};
   EXPECT_FALSE(load(mesh)) << "the hole crosses the outline";
+TEST(HiddenLines, OnlyExactHasProofs) {
+  const auto scene = load(cube());
+  ASSERT_TRUE(scene);
+  ViewOptions options;
+  options.proof = true;
+  const auto drawing = view(*scene, oblique(), options);
+  ASSERT_TRUE(drawing);
+  ASSERT_NE(drawing->proof, nullptr);
+  EXPECT_EQ(drawing->proof->edges.size(), 12U);
+  options.algorithm = "oracle";
+  const auto refused = view(*scene, oblique(), options);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message(), "proof: found with oracle, expected exact");
+  EXPECT_EQ(refused.error().kind, base::ErrorKind::usage);
 }
 
 // A box of 10 x 6 x 4, whose sides differ.

@@ -83,6 +83,30 @@ void change_claim(std::vector<Words>& lines, Dice& dice) {
   }
 }
 
+// Boxes as a mesh of triangles whose vertices have been rounded: two triangles form a surface.
+scene::PolyScene rounded_mesh(std::uint32_t seed) {
+  scene::PolyScene scene = scene::generate_boxes(3, seed);
+  Dice dice(seed);
+  std::uint32_t surface = 0;
+  for (scene::PolyBody& body : scene.bodies) {
+    std::vector<scene::PolyFace> triangles;
+    for (const scene::PolyFace& face : body.faces) {
+      const scene::Ring& ring = face.outline;
+      triangles.push_back({{ring[0], ring[1], ring[2]}, {}});
+      triangles.push_back({{ring[0], ring[2], ring[3]}, {}});
+      scene.surface_of.insert(scene.surface_of.end(), 2, surface++);
+      const auto normal = geometry::normal_of(scene.vertices[ring[0]], scene.vertices[ring[1]], scene.vertices[ring[2]]);
+      std::array<double, 3> direction{};
+      for (std::size_t a = 0; a < 3; ++a) direction[a] = normal[a] > 0 ? 1 : normal[a] < 0 ? -1 : 0;
+      scene.surfaces.push_back({direction});
+    }
+    body.faces = triangles;
+  }
+  for (scene::PolyPoint& vertex : scene.vertices)
+    for (std::int32_t& c : vertex) c += dice(-1, 1);
+  return scene;
+}
+
 }  // namespace
 
 hidden_lines::Scene loaded(scene::PolyScene scene) {
@@ -131,6 +155,13 @@ std::vector<std::string> certificates_to_change() {
   algorithms::RandomCameras cameras(crossed, 1);
   add(crossed, cameras.outside(true));
   add(crossed, cameras.outside(false), {"feature", 10});
+  for (std::uint32_t seed = 1; seed <= 3; ++seed) {
+    const scene::PolyScene mesh = rounded_mesh(seed);
+    algorithms::RandomCameras around(mesh, seed);
+    add(mesh, around.outside(true));
+    add(mesh, around.outside(false));
+    add(mesh, around.outside(true), {"all", {}});
+  }
   return certificates;
 }
 
@@ -152,13 +183,18 @@ std::string changed(const std::string& certificate, Dice& dice) {
     case 7: case 8: shift(lines[any_of_kind("vertex")][static_cast<std::size_t>(dice(1, 3))], dice); break;
     case 9: shift(lines[any_of_kind("eye")][static_cast<std::size_t>(dice(1, 3))], dice); break;
     case 10: {  // another reason, or another edge for the same reasons
-      const std::size_t at = any_line(lines, dice, [](const Words& words) { return is_claim(words) || words[0] == "turned" || words[0] == "point" || words[0] == "edge"; });
-      if (lines[at][0] == "edge") shift(lines[at][static_cast<std::size_t>(dice(1, 2))], dice);
-      else lines[at] = {dice(0, 1) == 0 ? "turned" : "point"};
+      const std::size_t at = any_line(lines, dice, [](const Words& words) {
+        return is_claim(words) || words[0] == "turned" || words[0] == "point" || words[0] == "edge" || words[0] == "intersection";
+      });
+      Words& line = lines[at];
+      if (line[0] == "intersection" && dice(0, 1) == 0) line[static_cast<std::size_t>(dice(3, 10))].back() = static_cast<char>('0' + dice(0, 9));
+      else if (line[0] == "edge" || line[0] == "intersection") shift(line[static_cast<std::size_t>(dice(1, 2))], dice);
+      else line = {dice(0, 1) == 0 ? "turned" : "point"};
       break;
     }
     default: {  // the scene
-      const std::size_t at = any_line(lines, dice, [](const Words& words) { return words[0] == "face" || words[0] == "solid" || words[0] == "sheet"; });
+      const std::size_t at =
+          any_line(lines, dice, [](const Words& words) { return words[0] == "face" || words[0] == "solid" || words[0] == "sheet"; });
       if (lines[at].size() == 1) lines[at][0] = lines[at][0] == "solid" ? "sheet" : "solid";
       else if (dice(0, 2) == 0) std::reverse(lines[at].begin() + 2, lines[at].end());
       else shift(lines[at][1 + any(lines[at].size() - 1, dice)], dice);

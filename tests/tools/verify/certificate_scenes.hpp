@@ -18,7 +18,8 @@ struct Drawn {
 };
 
 // Draws a scene as `sightline draw exact --certificate` does. Throws std::runtime_error with the error, if there is one.
-[[nodiscard]] Drawn draw_with_proof(const hidden_lines::Scene& scene, const hidden_lines::Camera& camera, const hidden_lines::EdgeOptions& edges = {});
+[[nodiscard]] Drawn draw_with_proof(const hidden_lines::Scene& scene, const hidden_lines::Camera& camera,
+                                    const hidden_lines::EdgeOptions& edges = {});
 // A scene that is not from a file.
 [[nodiscard]] hidden_lines::Scene loaded(scene::PolyScene scene);
 

@@ -6,12 +6,13 @@
 
 namespace sightline::tests {
 
-// Empty if all that the certificate says about edges between vertices is true; otherwise what is false. What it says about
-// intersections is not judged.
+// Empty if all that the certificate says is true; otherwise what is false.
 //
-// - The intervals that the claims of an edge leave are those that the oracle sees.
-// - A claim: the oracle sees nothing of its interval in a scene of its face and of a triangle that covers the other side of the edge.
-// - "turned": each face at the edge, of which there is one, belongs to a closed solid and is not turned to the eye.
+// - The intervals that the claims of an edge leave are those that the oracle sees, for an intersection up to rounding.
+// - A claim about an edge between vertices: the oracle sees nothing of its interval in a scene of its face and of a triangle
+//   that covers the other side of the edge.
+// - "turned", of an edge between vertices: each face at the edge, of which there is one, belongs to a closed solid, and its
+//   surface is not turned to the eye.
 // - "point": the eye and the edge are in line.
 // Precondition: the certificate has the right format. Scenes without wires that lie on surfaces, coordinates below 2^16.
 [[nodiscard]] std::string falsehood_in(std::string_view certificate);

@@ -225,18 +225,45 @@ TEST(Verify, ByHand) {
   EXPECT_EQ(verifier::verify(triangle_and("turned\n")).kind, Kind::refuted);
   EXPECT_EQ(verifier::verify(triangle_and("both 1/4 3/4 1\n")).kind, Kind::malformed);
   EXPECT_EQ(verifier::verify(triangle_and("both 3/4 1/4 0\n")).kind, Kind::malformed);
+  EXPECT_EQ(verifier::verify(triangle_and("both 1/4 3/4 0\npoint\n")).kind, Kind::malformed);
   EXPECT_EQ(verifier::verify(triangle_and("both 1/4 3/4 0\n") + "\n").kind, Kind::malformed);
   EXPECT_EQ(verifier::verify("").kind, Kind::malformed);
+}
+
+// Two squares through each other: z = 100 with |x| and |y| up to 20, and x = 0 with |y| up to 10 and z from 80 to 120. They meet from
+// (0, -10, 100) to (0, 10, 100), and nothing is before that line.
+TEST(Verify, AnIntersectionByHandLiesInBothFaces) {
+  const auto verdict_of = [](const std::string& ends) {
+    return sentence(verifier::verify("sightline-certificate 1\nview parallel\neye 0 0 0\nforward 1 0 1\nrightward 1 0 -1\nupward 0 1 0\n"
+                                     "vertex -20 -20 100\nvertex 20 -20 100\nvertex 20 20 100\nvertex -20 20 100\n"
+                                     "vertex 0 -10 80\nvertex 0 10 80\nvertex 0 10 120\nvertex 0 -10 120\n"
+                                     "sheet\nface 0 0 1 2 3\nsheet\nface 1 4 5 6 7\nintersection 0 1 " + ends + "\nend\n"));
+  };
+  const std::string proved = "proved: 1 edges, 1 visible intervals, 0 edges hidden";
+  EXPECT_EQ(verdict_of("0 -10 100 1 0 10 100 1"), proved);
+  EXPECT_EQ(verdict_of("0 -30 300 3 0 70 700 7"), proved);
+  EXPECT_EQ(verdict_of("0 -9 100 1 0 10 100 1"), proved) << "a part of it";
+  const std::string refuted = "line 19: the intersection does not lie in both faces";
+  EXPECT_EQ(verdict_of("0 -11 100 1 0 10 100 1"), refuted);
+  EXPECT_EQ(verdict_of("0 -30 300 3 0 71 700 7"), refuted);
+  EXPECT_EQ(verdict_of("1 -10 100 1 0 10 100 1"), refuted);
+  EXPECT_EQ(verdict_of("0 -10 101 1 0 10 100 1"), refuted);
+  EXPECT_EQ(verdict_of("0 -10 100 1 0 -10 100 1"), refuted) << "a point";
+  EXPECT_EQ(verdict_of("0 -10 100 0 0 10 100 1"), "line 19: expected a positive denominator");
 }
 
 // --- Random changes
 
 TEST(Verify, AcceptsNoChangeThatMakesACertificateFalse) {
   const std::vector<std::string> certificates = certificates_to_change();
+  std::map<std::string, int> contain;
   for (const std::string& certificate : certificates) {
     ASSERT_EQ(verifier::verify(certificate).kind, Kind::proved);
     ASSERT_EQ(falsehood_in(certificate), "") << certificate;
+    for (const char* what : {"\nleft ", "\nboth ", " behind\n", "\nturned\n", "\npoint\n", "\nintersection ", " on ", "\nsheet\n"})
+      contain[what] += certificate.find(what) != std::string::npos ? 1 : 0;
   }
+  for (const auto& [what, count] : contain) EXPECT_GT(count, 0) << what;
   Dice dice(20261128);
   std::map<Kind, int> verdicts;
   for (int i = 0; i < effort(4000, 400); ++i) {

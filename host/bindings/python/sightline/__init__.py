@@ -75,8 +75,8 @@ class Drawing:
     part_fractions     (m, 2, 2) int64    [i, 0] is low and [i, 1] is high, each a numerator and a positive denominator in lowest
                                           terms. Those of intersections are rounded to multiples of 2**-60; all others are exact
     part_hidden        (m,)      bool
-    part_hidden_by     (m,)      int32    a face that hides the part. -1: it is visible, behind the eye, or an edge of a solid on
-                                          the side turned away, which the solid itself hides
+    part_hidden_by     (m,)      int32    a face that hides the part. -1: it is visible or behind the eye, or its edge is one of a
+                                          curved surface, which itself hides it
 
     The edges say where lines come from. Faces and vertices have the numbers of the mesh or file, from 0.
 
@@ -245,6 +245,7 @@ class Scene:
                None: as the precision of the numbers requires
     eye        an eye far outside the scene, or between the points of a grid of whole numbers, from which it will be drawn: it
                must be known when the scene is rounded
+    jobs       threads; the scene is the same for any number
     progress   called now and then with the part that is done, from 0 to 1. If it returns False, the work ends with Cancelled; if
                it raises, the exception ends the work
 
@@ -273,6 +274,7 @@ class Scene:
         weld: float = 0,
         planar_tolerance: Optional[float] = None,
         eye: Optional[ArrayLike] = None,
+        jobs: int = 1,
         progress: Optional[Progress] = None,
     ) -> None:
         options = _arguments.fill(_core.LoadOptions(), {**locals(), "unit": None})
@@ -288,6 +290,7 @@ class Scene:
         planar_tolerance: Optional[float] = None,
         unit: Optional[str] = None,
         eye: Optional[ArrayLike] = None,
+        jobs: int = 1,
         progress: Optional[Progress] = None,
     ) -> Scene:
         """Reads a file (OBJ, OFF, STL, PLY, glTF, 3MF or JSON, recognized by its beginning), a built-in scene ("house") or a
@@ -479,6 +482,7 @@ def hidden_lines(
         weld=weld,
         planar_tolerance=planar_tolerance,
         eye=eye,
+        jobs=jobs,
         progress=part(0),
     )
     return scene.draw(

@@ -75,6 +75,8 @@ TEST(Library, OfACubeNineEdgesAreVisibleAndThreeAreHidden) {
     EXPECT_EQ(part.low, (sightline::Fraction{0, 1}));
     EXPECT_EQ(part.high, (sightline::Fraction{1, 1}));
     hidden += part.hidden ? 1 : 0;
+    // The three faces that are seen hide the back.
+    EXPECT_EQ(part.hidden, part.hidden_by == 1 || part.hidden_by == 3 || part.hidden_by == 4) << part.hidden_by;
     ++kinds[drawing.edges[part.edge].kind];
   }
   EXPECT_EQ(hidden, 3);

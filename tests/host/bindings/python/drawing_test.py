@@ -153,7 +153,7 @@ class Views(unittest.TestCase):
             vertices, faces, polylines=[(0, 20)], bodies=np.arange(54) // 6, mend=True, weld=0.001, planar_tolerance=0.01, **options
         )
         scene = Scene(
-            vertices, faces, polylines=[(0, 20)], bodies=np.arange(54) // 6, weld=0.001, planar_tolerance=0.01, eye=(40, 30, 45)
+            vertices, faces, polylines=[(0, 20)], bodies=np.arange(54) // 6, weld=0.001, planar_tolerance=0.01, eye=(40, 30, 45), jobs=2
         )
         other = scene.draw(**options)
         for name in TYPES:

@@ -1,0 +1,7 @@
+// Any bytes as an ESRI ASCII grid: see grid_fuzz.hpp.
+#include "tests/fuzz/grid_fuzz.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  sightline::fuzz::fuzz_grid(data, size, sightline::scene::is_esri_grid, sightline::scene::read_esri_grid);
+  return 0;
+}
