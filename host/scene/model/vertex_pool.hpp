@@ -98,11 +98,12 @@ class VertexPool {
   std::vector<Place> places_;  // a power of two of them, at most half full
 };
 
-// Appends the points 0 to `count` - 1 without repetition to `vertices`, which is empty, in the order in which they first come, and calls take(i, vertex) with
-// the number of each. `likely`: how many different ones there probably are. With several threads, each first numbers the points of
-// one class, which is a part of all hashes; `take` is called from all threads.
+// Appends the points 0 to `count` - 1 without repetition to `vertices`, which is empty, in the order in which they first come, and calls
+// take(i, vertex) with the number of each. `likely`: how many different ones there probably are. With several threads, each first
+// numbers the points of one class, which is a part of all hashes; `take` is called from all threads.
 template <class Number, class PointOf, class Take>
-void pool_points(std::size_t count, PointOf point_of, std::size_t likely, unsigned jobs, std::vector<std::array<Number, 3>>& vertices, Take take) {
+void pool_points(std::size_t count, PointOf point_of, std::size_t likely, unsigned jobs, std::vector<std::array<Number, 3>>& vertices,
+                 Take take) {
   using Point = std::array<Number, 3>;
   if (jobs == 1) {
     VertexPool<Number> pool(vertices);

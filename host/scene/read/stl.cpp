@@ -62,12 +62,15 @@ base::Result<PolyMesh> read_binary_stl(std::string_view bytes, std::string_view 
   pool_points<double>(3 * faces.size(), point_of, likely, jobs, mesh.vertices,
                       [&faces](std::size_t corner, VertexIndex vertex) { faces[corner / 3].outline[corner % 3] = vertex; });
   if (2 * mesh.vertices.size() < mesh.vertices.capacity()) mesh.vertices.shrink_to_fit();
-  const auto not_finite = [](const std::array<double, 3>& p) { return std::find_if_not(p.begin(), p.end(), [](double c) { return std::isfinite(c); }) - p.begin(); };
+  const auto not_finite = [](const std::array<double, 3>& p) {
+    return std::find_if_not(p.begin(), p.end(), [](double c) { return std::isfinite(c); }) - p.begin();
+  };
   const bool all_finite = std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const auto& p) { return not_finite(p) == 3; });
   for (std::size_t corner = 0; !all_finite && !mesh.flaw; ++corner) {
     const auto axis = static_cast<std::size_t>(not_finite(point_of(corner)));
-    if (axis < 3)
-      mesh.flaw = error(place_of(corner) + 4 * axis, "found a coordinate of triangle " + std::to_string(corner / 3) + " that is no finite number", "a number");
+    if (axis == 3) continue;
+    const std::string found = "found a coordinate of triangle " + std::to_string(corner / 3) + " that is no finite number";
+    mesh.flaw = error(place_of(corner) + 4 * axis, found, "a number");
   }
   mesh.precision = float32_precision(mesh.vertices);
   return mesh;
