@@ -138,6 +138,8 @@ TEST(HiddenLines, AFaceWithAHoleHidesWhatIsNotBehindTheHole) {
   mesh.vertices.push_back({20, 0, 0});
   mesh.bodies[0].faces[0].holes[0] = {7, 6, 10, 4};
   EXPECT_FALSE(load(mesh)) << "the hole crosses the outline";
+}
+
 TEST(HiddenLines, OnlyExactHasProofs) {
   const auto scene = load(cube());
   ASSERT_TRUE(scene);

@@ -252,6 +252,7 @@ TEST(Library, WorkEndsWhenTheProgressFunctionSaysSo) {
       ++calls;
       return true;
     });
+    EXPECT_GE(before, 0.9) << "not followed to its end";
     return calls;
   };
   const auto load = [&](const sightline::Progress& progress) { Scene scene(mesh, {.progress = progress}); };
