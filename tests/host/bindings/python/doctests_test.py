@@ -1,15 +1,29 @@
-"""Runs the examples of the docstrings and of the README, and compares signatures with docstrings and annotations.
+"""Runs the examples of the docstrings, of the README and of the notebook; compares signatures with docstrings and annotations.
 
-doctests_test.py README
+doctests_test.py FOLDER        FOLDER: host/bindings/python
 """
+import ast
+import contextlib
 import doctest
 import inspect
+import json
 import os
 import sys
 import tempfile
 import unittest
 
 import sightline
+
+
+@contextlib.contextmanager
+def empty_folder():
+    before = os.getcwd()
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        try:
+            yield
+        finally:
+            os.chdir(before)
 
 
 class Documentation(unittest.TestCase):
@@ -25,15 +39,29 @@ class Documentation(unittest.TestCase):
         self.assertGreater(sum(self.run_examples(test) for test in tests), 20)
 
     def test_examples_of_the_readme(self):
-        with open(readme) as file:
-            test = doctest.DocTestParser().get_doctest(file.read(), {}, "README.md", readme, 0)
-        with tempfile.TemporaryDirectory() as folder:
-            before = os.getcwd()
-            os.chdir(folder)
-            try:
-                self.assertGreater(self.run_examples(test), 10)
-            finally:
-                os.chdir(before)
+        path = os.path.join(source, "README.md")
+        with open(path) as file:
+            test = doctest.DocTestParser().get_doctest(file.read(), {}, "README.md", path, 0)
+        with empty_folder():
+            self.assertGreater(self.run_examples(test), 10)
+
+    def test_cells_of_the_notebook(self):
+        with open(os.path.join(source, "hidden_lines.ipynb")) as file:
+            cells = [cell for cell in json.load(file)["cells"] if cell["cell_type"] == "code"]
+        names = {}
+        shown = []
+        with empty_folder():
+            for cell in cells:
+                self.assertEqual((cell["outputs"], cell["execution_count"]), ([], None), "outputs are left out of the repository")
+                body = ast.parse("".join(cell["source"])).body
+                # A notebook shows the value of an expression at the end of a cell.
+                last = ast.Expression(body.pop().value) if isinstance(body[-1], ast.Expr) else None
+                exec(compile(ast.Module(body, []), "cell", "exec"), names)
+                shown.append(eval(compile(last, "cell", "eval"), names) if last else None)
+            with open("stair.pdf", "rb") as file:
+                self.assertEqual(file.read(5), b"%PDF-")
+        self.assertEqual([getattr(value, "_repr_svg_", str)()[:5] for value in shown[:2]], ["<?xml"] * 2)
+        self.assertRegex(shown[2], "^[1-9][0-9]%$")
 
     def test_everything_public_has_a_docstring_and_annotations(self):
         functions = [sightline.hidden_lines, sightline.view_names]
@@ -71,5 +99,5 @@ class Documentation(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    (readme,) = sys.argv[1:2]
+    (source,) = sys.argv[1:2]
     unittest.main(argv=sys.argv[:1])
