@@ -209,7 +209,7 @@ class Views::Work {
     auto seen = prepared_.view_watched ? prepared_.view_watched(camera, chosen ? &*chosen : nullptr, watch.part(0.05, 0.8), with_proof ? &proof.edges : nullptr)
                 : chosen               ? registry::view_of(prepared_, camera, *chosen)
                                        : prepared_.view(camera);
-    if (watch.ended()) return base::cancelled();
+    if (!watch.go_on(0.8)) return base::cancelled();
     if (!seen) return in_file(std::move(seen.error()), source_.name);
     Drawing result;
     result.visible = std::move(seen->picture);
@@ -228,16 +228,18 @@ class Views::Work {
       if (seams_) whole = without_seams(whole, chosen, camera);
       hidden = divided(picture::hidden_pieces(whole, drawn), chosen, true);
     }
+    if (!watch.go_on(0.85)) return base::cancelled();
     if (with_proof) {
       proof.chosen = chosen;
       result.proof = std::make_shared<const Proof>(std::move(proof));
     }
     if (!options_.hatch && !options_.cut_material) {
       add_all(layers, hidden);
-      draw(layers, scene(), camera, std::nullopt, result);
-    } else if (auto added = add_hatching(camera, std::move(layers), std::move(hidden), result); !added) {
+      draw(layers, scene(), camera, std::nullopt, watch.part(0.85, 1), result);
+    } else if (auto added = add_hatching(camera, std::move(layers), std::move(hidden), watch.part(0.85, 1), result); !added) {
       return std::move(added.error());
     }
+    if (watch.ended()) return base::cancelled();
     return result;
   }
 
@@ -357,22 +359,26 @@ class Views::Work {
     return layers;
   }
 
-  // Draws into the given window, or chooses one. Clears the layers' pictures.
+  // Draws into the given window, or chooses one. Clears the layers' pictures. Incomplete if the watch has ended.
   void draw(std::vector<LineLayer>& layers, const scene::PolyScene& of, const Camera& camera,
-            const std::optional<picture::ImageWindow>& given, Drawing& result) const {
+            const std::optional<picture::ImageWindow>& given, const base::Watch& watch, Drawing& result) const {
     const picture::DrawingField& field = options_.field;
     picture::UnitedLines lines = picture::united_lines(layers, of, camera);
+    if (!watch.go_on(0.4)) return;
     const picture::ImageWindow window = given ? *given : picture::drawing_window(lines, camera, field);
     if (options_.hatch || options_.cut_material) picture::leave_out_hatching_on_lines(lines, layers, window);
     result.window = window;
     if (options_.strokes) add_edges(layers, of, result);
     for (LineLayer& layer : layers) layer.picture = {};
+    if (!watch.go_on(0.6)) return;
     const std::vector<picture::LineStroke> strokes = picture::strokes_in(lines, layers, window, field);
     result.stroke_count = strokes.size();
     for (const picture::LineStroke& stroke : strokes)
       result.drawn_length += std::hypot(stroke.to[0] - stroke.from[0], stroke.to[1] - stroke.from[1]);
     result.drawn_length *= window.units(field);
+    if (!watch.go_on(0.7)) return;
     result.picture = picture::line_drawing(strokes, layers, window, field);
+    if (!watch.go_on(0.8)) return;
     if (options_.strokes) add_strokes(strokes, lines, layers, window, field, result);
   }
 
@@ -445,7 +451,7 @@ class Views::Work {
   }
 
   base::Result<base::Done> add_hatching(const Camera& camera, std::vector<LineLayer> layers, std::vector<LineLayer> hidden,
-                                        Drawing& result) const {
+                                        const base::Watch& watch, Drawing& result) const {
     std::vector<LineLayer> edges = layers;
     edges.insert(edges.end(), hidden.begin(), hidden.end());
     const picture::ImageWindow window = picture::drawing_window(picture::united_lines(edges, scene(), camera), camera, options_.field);
@@ -471,7 +477,7 @@ class Views::Work {
     result.hatch_pieces = seen->picture.pieces.size();
     for (LineLayer& layer : hatched) layers.push_back(std::move(layer));
     add_all(layers, hidden);
-    draw(layers, hatching->scene, camera, window, result);
+    draw(layers, hatching->scene, camera, window, watch, result);
     return base::Done{};
   }
 

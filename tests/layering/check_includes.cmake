@@ -18,6 +18,7 @@ set(LIBRARY_RULES
   "CLI/=host/app"
   "editline/=host/app"
   "gmp=tools/verify"
+  "pybind11/=host/bindings/python"
   "gtest/=tests"
   "benchmark/=tests")
 

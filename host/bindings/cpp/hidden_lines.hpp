@@ -74,7 +74,7 @@ struct Mesh {
   std::vector<std::uint32_t> corners;     // numbers of vertices, from 0: those of all rings, one ring after the other
   std::vector<std::uint32_t> ring_sizes;  // corners of each ring, at least 3
   std::vector<std::uint32_t> face_rings;  // rings of each face: its outline, then its holes. Empty: each ring is a face
-  std::vector<std::uint32_t> bodies;      // number of each face's body. Empty: faces that an edge joins are one body
+  std::vector<std::uint32_t> bodies;      // number of each face's body, below that of faces. Empty: faces that an edge joins are one body
   std::vector<std::uint32_t> line_points; // numbers of vertices: those of all polylines, one after the other
   std::vector<std::uint32_t> line_sizes;  // points of each polyline, at least 2
   std::string name = "mesh";              // named in errors
@@ -136,7 +136,8 @@ struct Camera {
 // --------------------------------------------------------------------------------------------------------- Drawings
 
 struct DrawOptions {
-  // Which edges are drawn: "feature", "all", or kinds separated by commas (see Kind). "feature": all kinds but flat.
+  // Which edges are drawn: "feature" (all kinds but flat), "all", or some of silhouette, boundary, crease, border, intersection and
+  // wire (polylines), separated by commas.
   std::string edges = "feature";
   double crease = 30;   // degrees: the least angle between the faces at a crease
   bool hidden = false;  // also the hidden parts

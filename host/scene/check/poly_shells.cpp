@@ -27,7 +27,7 @@ void for_face_edges(const PolyBody& body, Visit visit) {
   }
 }
 
-std::size_t root_of(std::vector<std::size_t>& parents, std::size_t face) {
+std::size_t first_connected(std::vector<std::size_t>& parents, std::size_t face) {
   while (parents[face] != face) {
     parents[face] = parents[parents[face]];
     face = parents[face];
@@ -85,15 +85,15 @@ std::vector<std::size_t> connected_faces(const PolyBody& body, const std::vector
   std::iota(parents.begin(), parents.end(), std::size_t{0});
   for (std::size_t i = 1; i < edges.size(); ++i) {
     if (!edges[i].same_edge(edges[i - 1])) continue;
-    const std::size_t a = root_of(parents, edges[i].face);
-    const std::size_t b = root_of(parents, edges[i - 1].face);
+    const std::size_t a = first_connected(parents, edges[i].face);
+    const std::size_t b = first_connected(parents, edges[i - 1].face);
     parents[std::max(a, b)] = std::min(a, b);
   }
   // A root is the smallest face of its part, so that it is met before the others.
   std::vector<std::size_t> parts(body.faces.size());
   std::size_t count = 0;
   for (std::size_t f = 0; f < parts.size(); ++f) {
-    const std::size_t root = root_of(parents, f);
+    const std::size_t root = first_connected(parents, f);
     parts[f] = root == f ? count++ : parts[root];
   }
   return parts;

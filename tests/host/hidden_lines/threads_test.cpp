@@ -24,7 +24,7 @@ std::string outcome(const scene::SceneFile& file, unsigned jobs, ViewOptions opt
   options.jobs = jobs;
   const auto drawing = view(*scene, scene->scene.camera, options);
   if (!drawing) return drawing.error().message();
-  std::string result = write(drawing->picture)->bytes + json_lines(drawing->strokes);
+  std::string result = write(drawing->picture)->bytes + json_lines(*drawing);
   for (const std::string& note : drawing->notes) result += note + "\n";
   return result;
 }

@@ -150,6 +150,27 @@ TEST(Library, AHiddenPartNamesTheFaceThatHidesIt) {
   EXPECT_EQ(line.face_count, 0U);
 }
 
+TEST(Library, FacesAreNumberedAsInTheMeshThoughBodiesAlternate) {
+  // Triangles one behind the other: the first and the third are body 1.
+  Mesh mesh;
+  for (const double z : {0.0, 5.0, 10.0, 15.0}) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {4.0, 0.0}, {0.0, 4.0}}) mesh.vertices.push_back({x, y, z});
+    mesh.add_face(std::array{first, first + 1, first + 2});
+  }
+  mesh.bodies = {1, 0, 1, 0};
+  for (const bool mend : {true, false}) {
+    const Drawing drawing = Scene(mesh, {.mend = mend}).draw({.view = "iso"});
+    EXPECT_EQ(drawing.edges.size(), 12U);
+    for (const Edge& edge : drawing.edges) {
+      ASSERT_EQ(edge.face_count, 1U);
+      const std::uint32_t face = drawing.faces[edge.first_face];
+      EXPECT_EQ(face, edge.vertices[0] / 3);
+      EXPECT_EQ(edge.body, mesh.bodies[face]);
+    }
+  }
+}
+
 TEST(Library, PartsOfEveryEdgeAreItsWholeLengthAndLinesAreOfTheirEdges) {
   const Scene scene(many_boxes(6));
   const Drawing drawing = scene.draw({.eye = sightline::Point{40, 30, 45}}, {.hidden = true});
@@ -247,6 +268,7 @@ TEST(Library, WorkEndsWhenTheProgressFunctionSaysSo) {
       ++calls;
       return true;
     });
+    EXPECT_GE(before, 0.9) << "not followed to its end";
     return calls;
   };
   const auto load = [&](const sightline::Progress& progress) { Scene scene(mesh, {.progress = progress}); };
