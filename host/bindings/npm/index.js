@@ -39,7 +39,8 @@ function compiledModule() {
 }
 
 async function newWorker() {
-  if (inNode) return new (await fromNode('worker_threads')).Worker(new URL('./worker.js', import.meta.url));
+  // Options of the process such as --input-type are not for the worker.
+  if (inNode) return new (await fromNode('worker_threads')).Worker(new URL('./worker.js', import.meta.url), {execArgv: []});
   return new Worker(new URL('./worker.js', import.meta.url), {type: 'module'});
 }
 

@@ -24,6 +24,16 @@ assert.equal(paths[0].length, 6);
 for (const side of sides) assert.ok(Math.abs(side - 200) < 0.01, String(sides));
 for (const axis of [0, 1]) assert.ok(Math.abs(paths[0][axis] + paths[0][2 + axis] + paths[0][4 + axis]) < 0.002, 'it ends where it began');
 
+// A program on the command line whose scene is in a worker, and is not freed: the process ends all the same.
+const inWorker = `
+  import {Scene} from 'sightline-hidden-lines';
+  const scene = await Scene.of({positions: new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0])}, {worker: true});
+  console.log((await scene.draw()).kinds.length);`;
+assert.equal(execFileSync(process.execPath, ['--input-type=module', '-e', inWorker], {cwd: home, encoding: 'utf8', timeout: 60000}), '3\n');
+// CommonJS.
+const common = `import('sightline-hidden-lines').then(({version}) => console.log(version))`;
+assert.match(execFileSync(process.execPath, ['-e', common], {cwd: home, encoding: 'utf8', timeout: 60000}), /^[0-9.]+\n$/);
+
 // Every other file that package.json or a script names is there.
 for (const name of ['worker.js', 'sightline.wasm', 'index.d.ts', 'LICENSE', 'example.html']) assert.ok(readFileSync(join(folder, name)).length > 0, name);
 const names = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
