@@ -69,7 +69,7 @@ class Origins {
       for (const scene::EdgeTable::Use& use : edges_.uses(edges_.find(edge.from, edge.to)))
         all.push_back(scene::face_in_file(scene, use.face));
     }
-    const auto first = all.begin() + drawn.first_face;
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(drawn.first_face);
     std::sort(first, all.end());
     all.erase(std::unique(first, all.end()), all.end());
     drawn.face_count = static_cast<std::uint32_t>(all.size()) - drawn.first_face;

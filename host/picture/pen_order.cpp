@@ -375,8 +375,10 @@ class Tour {
     for (std::uint32_t i = first; i <= last; ++i) position_[order_[i] / 2] = i;
   }
 
+  [[nodiscard]] std::vector<std::uint32_t>::iterator at(std::int64_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); }
+
   void turn_round(std::uint32_t first, std::uint32_t last) {
-    std::reverse(order_.begin() + first, order_.begin() + last + 1);
+    std::reverse(at(first), at(last) + 1);
     for (std::uint32_t i = first; i <= last; ++i) order_[i] ^= 1U;
     note(first, last);
   }
@@ -385,10 +387,10 @@ class Tour {
   void move(std::uint32_t first, std::uint32_t last, std::int64_t after, bool turned) {
     if (turned) turn_round(first, last);
     if (after > last) {
-      std::rotate(order_.begin() + first, order_.begin() + last + 1, order_.begin() + after + 1);
+      std::rotate(at(first), at(last) + 1, at(after) + 1);
       note(first, static_cast<std::uint32_t>(after));
     } else {
-      std::rotate(order_.begin() + after + 1, order_.begin() + first, order_.begin() + last + 1);
+      std::rotate(at(after) + 1, at(first), at(last) + 1);
       note(static_cast<std::uint32_t>(after + 1), last);
     }
   }

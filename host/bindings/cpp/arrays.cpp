@@ -16,12 +16,6 @@
 
 namespace sightline {
 
-struct Drawing::Picture {
-  picture::VectorDrawing drawing;
-  double width = 0;
-  double height = 0;
-};
-
 namespace bindings {
 namespace {
 
@@ -64,7 +58,7 @@ class Rings {
     const std::uint32_t size = mesh_.ring_sizes[ring_++];
     const auto begin = mesh_.corners.begin() + static_cast<std::ptrdiff_t>(corner_);
     corner_ += size;
-    return {begin, begin + size};
+    return {begin, begin + static_cast<std::ptrdiff_t>(size)};
   }
 
  private:
@@ -95,6 +89,9 @@ std::optional<base::Error> fault_of(const Mesh& mesh) {
   const std::size_t faces = mesh.face_rings.empty() ? mesh.ring_sizes.size() : mesh.face_rings.size();
   if (!mesh.bodies.empty() && mesh.bodies.size() != faces)
     return fault("bodies", fmt::format("{} numbers", mesh.bodies.size()), fmt::format("{}, one for each face", faces));
+  for (std::size_t i = 0; i < faces && !mesh.bodies.empty(); ++i)
+    if (mesh.bodies[i] >= faces)
+      return fault(fmt::format("bodies[{}]", i), fmt::format("{}", mesh.bodies[i]), fmt::format("a number below {}, the number of faces", faces));
   const auto at_least = [&](std::string_view name, const std::vector<std::uint32_t>& sizes, std::uint32_t least) -> std::optional<base::Error> {
     for (std::size_t i = 0; i < sizes.size(); ++i)
       if (sizes[i] < least) return fault(fmt::format("{}[{}]", name, i), fmt::format("{}", sizes[i]), fmt::format("at least {}", least));
@@ -109,9 +106,6 @@ std::optional<base::Error> fault_of(const Mesh& mesh) {
         return fault(fmt::format("{}[{}]", name, i), fmt::format("vertex {}", numbers[i]), fmt::format("a number below {}", mesh.vertices.size()));
     return std::nullopt;
   };
-  // So many bodies are made as the largest number says.
-  for (std::size_t f = 0; f < mesh.bodies.size(); ++f)
-    if (mesh.bodies[f] >= faces) return fault(fmt::format("bodies[{}]", f), fmt::format("body {}", mesh.bodies[f]), fmt::format("a number below {}, that of faces", faces));
   if (auto found = in_range("corners", mesh.corners)) return found;
   return in_range("line_points", mesh.line_points);
 }
@@ -139,16 +133,14 @@ scene::PolyMesh poly_mesh(const Mesh& mesh) {
   return result;
 }
 
-// A scene counts the faces of a mesh body by body; sets the numbers that they have in the mesh.
-void number_faces(const Mesh& mesh, scene::PolyScene& scene) {
-  std::vector<std::uint32_t> order(mesh.bodies.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&mesh](std::uint32_t a, std::uint32_t b) { return mesh.bodies[a] < mesh.bodies[b]; });
-  if (scene.face_in_file.empty()) {
-    scene.face_in_file = std::move(order);
-    return;
-  }
-  for (std::uint32_t& face : scene.face_in_file) face = order[face];
+// In the scene, faces have the numbers of poly_mesh, which are in the order of the bodies.
+void number_as_given(scene::PolyScene& scene, const Mesh& mesh) {
+  if (mesh.bodies.empty()) return;
+  std::vector<std::uint32_t> given(mesh.bodies.size());
+  std::iota(given.begin(), given.end(), 0U);
+  std::stable_sort(given.begin(), given.end(), [&](std::uint32_t a, std::uint32_t b) { return mesh.bodies[a] < mesh.bodies[b]; });
+  if (scene.face_in_file.empty()) scene.face_in_file = given;
+  else for (std::uint32_t& face : scene.face_in_file) face = given[face];
 }
 
 hidden_lines::Aim aim_of(const Camera& camera) {
@@ -177,7 +169,7 @@ base::Result<hidden_lines::Scene> load(const Mesh& mesh, const LoadOptions& opti
   if (!checked) return checked.error();
   if (auto fault = fault_of(mesh)) return std::move(*fault);
   auto loaded = hidden_lines::load(poly_mesh(mesh), *checked);
-  if (loaded && !mesh.bodies.empty()) number_faces(mesh, loaded->scene);
+  if (loaded) number_as_given(loaded->scene, mesh);
   return loaded;
 }
 

@@ -8,8 +8,17 @@
 #include "host/base/watch.hpp"
 #include "host/bindings/cpp/hidden_lines.hpp"
 #include "host/hidden_lines/hidden_lines.hpp"
+#include "host/picture/vector_drawing.hpp"
 
-namespace sightline::bindings {
+namespace sightline {
+
+struct Drawing::Picture {
+  picture::VectorDrawing drawing;
+  double width = 0;
+  double height = 0;
+};
+
+namespace bindings {
 
 // Progress functions in options are not called: the watch is used instead. Error cancelled: it ended the work.
 
@@ -30,4 +39,5 @@ namespace sightline::bindings {
 // Sentences on what was changed.
 [[nodiscard]] std::vector<std::string> notes_of(const hidden_lines::Scene& scene);
 
-}  // namespace sightline::bindings
+}  // namespace bindings
+}  // namespace sightline

@@ -111,6 +111,21 @@ TEST(Library, AxesScaleAndLowTellWhereAPointIsDrawn) {
   }
 }
 
+// Bodies are given in another order than their faces.
+TEST(Library, FacesHaveTheNumbersOfTheMesh) {
+  for (const bool mend : {true, false}) {
+    Mesh mesh = many_boxes(2);
+    for (std::uint32_t face = 0; face < 24; ++face) mesh.bodies.push_back(std::array{3U, 0U, 2U, 1U}[face / 6]);
+    const Drawing drawing = Scene(mesh, {.mend = mend}).draw({.view = "iso"}, {.hidden = true});
+    EXPECT_EQ(drawing.edges.size(), 48U);
+    for (const Edge& edge : drawing.edges) {
+      ASSERT_EQ(edge.face_count, 2U);
+      for (std::uint32_t f = 0; f < 2; ++f)
+        for (const std::uint32_t vertex : edge.vertices) EXPECT_EQ(drawing.faces[edge.first_face + f] / 6, vertex / 8);
+    }
+  }
+}
+
 TEST(Library, AHiddenPartNamesTheFaceThatHidesIt) {
   // A plate from -5 to 5 in front of a line from -10 to 10.
   Mesh mesh;
@@ -213,7 +228,8 @@ TEST(Library, DamageOfArraysIsNamedWithItsPlace) {
   EXPECT_EQ(damaged([](Mesh& m) { m.ring_sizes[0] = 2, m.ring_sizes[1] = 6; }), "mesh: ring_sizes[0]: found 2, expected at least 3");
   EXPECT_EQ(damaged([](Mesh& m) { m.face_rings = {1, 1, 1, 1, 1}; }), "mesh: face_rings: found numbers with the sum 5, expected 6, the number of rings");
   EXPECT_EQ(damaged([](Mesh& m) { m.bodies = {0}; }), "mesh: bodies: found 1 numbers, expected 6, one for each face");
-  EXPECT_EQ(damaged([](Mesh& m) { m.bodies = {0, 0, 0, 0, 0, 4000000000}; }), "mesh: bodies[5]: found body 4000000000, expected a number below 6, that of faces");
+  EXPECT_EQ(damaged([](Mesh& m) { m.bodies = {0, 0, 0, 0, 0, 4294967295}; }),
+            "mesh: bodies[5]: found 4294967295, expected a number below 6, the number of faces");
   EXPECT_EQ(damaged([](Mesh& m) { m.line_sizes = {2}, m.line_points = {0}; }), "mesh: line_sizes: found sizes with the sum 2, expected 1, the number of line_points");
   EXPECT_EQ(damaged([](Mesh& m) { m = Mesh(); }), "mesh: found no faces, expected a mesh; points alone make no drawing");
   Mesh open = cube();
