@@ -12,15 +12,14 @@
 #include "host/base/threads.hpp"
 #include "host/hidden_lines/certificate.hpp"
 #include "host/hidden_lines/hidden_lines.hpp"
+#include "host/hidden_lines/origins.hpp"
 #include "host/picture/camera_view.hpp"
 #include "host/picture/hatching.hpp"
 #include "host/picture/line_picture_image.hpp"
 #include "host/picture/line_union.hpp"
 #include "host/scene/check/crossings.hpp"
-#include "host/scene/model/edge_table.hpp"
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/face_cut.hpp"
-#include "host/scene/model/file_units.hpp"
 
 namespace sightline::hidden_lines {
 
@@ -36,61 +35,6 @@ using picture::LinePiece;
 // Pen colours that are easily distinguished on white paper.
 constexpr std::array<picture::Colour, 8> body_colours{picture::Colour{0, 0, 0}, {200, 0, 0},   {0, 0, 200},   {0, 130, 0},
                                                       {200, 100, 0},            {130, 0, 130}, {0, 130, 130}, {110, 110, 110}};
-
-// Tells where an edge comes from.
-class Origins {
- public:
-  explicit Origins(const scene::PolyScene& scene) : firsts_(scene::first_face_numbers(scene)), edges_(scene) {}
-
-  // The body of an edge. For an edge of several bodies, and for a line in which two bodies cross, it is the first of them;
-  // for a wire it is the number of bodies. `scene` is the scene of the origins, or one with more crossings.
-  [[nodiscard]] std::size_t body_of(const picture::LineEdge& edge, const scene::PolyScene& scene) const {
-    if (const scene::PolyCrossing* const crossing = scene::crossing_at(scene, edge.from)) return body_of_face(crossing->face_a);
-    const auto uses = edges_.uses(edges_.find(edge.from, edge.to));
-    return uses.empty() ? scene.bodies.size() : body_of_face(uses.front().face);
-  }
-
-  // Adds the faces to `all`.
-  [[nodiscard]] DrawnEdge drawn_edge(const picture::LineEdge& edge, const scene::PolyScene& scene, std::vector<std::uint32_t>& all) const {
-    DrawnEdge drawn;
-    drawn.edge = edge;
-    const std::size_t body = body_of(edge, scene);
-    if (body < scene.bodies.size()) drawn.body = static_cast<std::uint32_t>(body);
-    drawn.first_face = static_cast<std::uint32_t>(all.size());
-    if (const scene::PolyCrossing* const crossing = scene::crossing_at(scene, edge.from)) {
-      drawn.ends = {end_of_crossing(edge.from, scene), end_of_crossing(edge.to, scene)};
-      for (const std::uint32_t face : {crossing->face_a, crossing->face_b}) all.push_back(scene::face_in_file(scene, face));
-    } else {
-      for (std::size_t e = 0; e < 2; ++e) {
-        const scene::VertexIndex vertex = e == 0 ? edge.from : edge.to;
-        drawn.ends[e] = scene::file_point(scene, scene.vertices[vertex]);
-        drawn.vertices[e] = vertex < scene.vertex_in_file.size() ? scene.vertex_in_file[vertex] : vertex;
-      }
-      for (const scene::EdgeTable::Use& use : edges_.uses(edges_.find(edge.from, edge.to)))
-        all.push_back(scene::face_in_file(scene, use.face));
-    }
-    const auto first = all.begin() + static_cast<std::ptrdiff_t>(drawn.first_face);
-    std::sort(first, all.end());
-    all.erase(std::unique(first, all.end()), all.end());
-    drawn.face_count = static_cast<std::uint32_t>(all.size()) - drawn.first_face;
-    return drawn;
-  }
-
- private:
-  [[nodiscard]] std::size_t body_of_face(std::uint32_t face) const {
-    return static_cast<std::size_t>(std::upper_bound(firsts_.begin(), firsts_.end(), face + 1) - firsts_.begin()) - 1;
-  }
-
-  // It is not on the grid.
-  static std::array<double, 3> end_of_crossing(scene::VertexIndex vertex, const scene::PolyScene& scene) {
-    std::array<double, 3> place = scene::place_of(scene, vertex);
-    for (std::size_t a = 0; a < 3; ++a) place[a] = (place[a] + static_cast<double>(scene.origin[a])) * scene.step;
-    return place;
-  }
-
-  std::vector<std::uint32_t> firsts_;  // number of each body's first face
-  scene::EdgeTable edges_;
-};
 
 // From above left, behind the eye.
 std::array<double, 3> usual_light(const Camera& camera) {
