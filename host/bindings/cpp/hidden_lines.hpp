@@ -66,9 +66,9 @@ using Progress = std::function<bool(double done)>;
 
 // Vertices, planar faces and polylines, in any unit.
 //
-// A face has an outline, counterclockwise as seen from outside, and may have holes, clockwise. Faces around a closed volume
-// are a solid, whichever way they are turned; other faces are sheets, visible from both sides. Faces of four corners and more
-// that are not planar become triangles. Polylines hide nothing.
+// A face has an outline, counterclockwise as seen from outside, and may have holes, clockwise, with at most 1,024 corners in
+// all. Faces around a closed volume are a solid, whichever way they are turned; other faces are sheets, visible from both
+// sides. Faces of four corners and more that are not planar become triangles. Polylines hide nothing.
 struct Mesh {
   std::vector<Point> vertices;
   std::vector<std::uint32_t> corners;     // numbers of vertices, from 0: those of all rings, one ring after the other

@@ -232,7 +232,7 @@ class Scene:
     vertices   (n, 3) array of any real type, in any unit
     faces      (m, k) integer array of vertex numbers from 0, k at least 3; or a sequence of faces, each a sequence of 3 or more
                numbers or a pair (outline, [hole, ...]) of such sequences. Outlines are counterclockwise as seen from outside,
-               holes clockwise. Faces around a closed volume are a solid, whichever way they are turned; other faces are sheets,
+               holes clockwise, with at most 1,024 corners in all. Faces around a closed volume are a solid, whichever way they are turned; other faces are sheets,
                visible from both sides. Faces of four corners and more that are not planar become triangles
     polylines  (m, k) integer array, k at least 2, or a sequence of sequences: lines that hide nothing
     bodies     (number of faces,) integers from 0, less than the number of faces: the body of each face. Numbers without a face
