@@ -19,7 +19,9 @@ inline void use(const scene::PolyScene& scene) {
     if (!text) continue;
     const auto again = scene::read_poly(*text, "written", format, {.mend = true});
     if (!again) std::abort();
-    if (format == scene::PolyFormat::json && again->scene != scene) std::abort();
+    scene::PolyScene expected = scene;
+    expected.face_in_file = expected.vertex_in_file = {};  // JSON is taken as it is
+    if (format == scene::PolyFormat::json && again->scene != expected) std::abort();
   }
 }
 
