@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/base/number.hpp"
+#include "host/base/threads.hpp"
 #include "host/hidden_lines/hidden_lines.hpp"
 
 namespace sightline::app {
@@ -42,7 +43,7 @@ scene::LoadedScene load_found(scene::SceneFile file, const scene::PolyImportOpti
 scene::PolyImportOptions MeshArguments::import_options() const {
   require_finite("--weld", weld);
   if (planar_tolerance) require_finite("--planar-tolerance", *planar_tolerance);
-  return {.mend = !strict, .weld = weld, .planar_tolerance = planar_tolerance, .eye = eye, .folder = {}, .unit = unit, .jobs = jobs};
+  return {.mend = !strict, .weld = weld, .planar_tolerance = planar_tolerance, .eye = eye, .folder = {}, .unit = unit, .jobs = base::useful_threads(jobs)};
 }
 
 void add_mesh_options(const Command& command, MeshArguments& arguments) {

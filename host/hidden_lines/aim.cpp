@@ -85,7 +85,8 @@ class Aiming {
     }
     camera.eye = eye.at;
     const scene::PolyBounds bounds = bounds_of(scene_);
-    if (!request_.look_at && bounds.contain(camera.eye)) return AimedCamera{camera};
+    if (!request_.look_at && bounds.contain(camera.eye))
+      return request_.up ? towards(camera.eye, geometry::real_vector(camera.forward), true) : AimedCamera{camera};
     Vector target = geometry::real_vector(bounds.middle());
     if (request_.look_at) {
       const auto point = grid_point("look_at", *request_.look_at);

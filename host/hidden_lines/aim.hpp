@@ -17,7 +17,8 @@ struct Aim {
   std::string view = {};     // one of view_names(), in parallel projection
   bool perspective = false;  // show `view` in perspective
   std::optional<std::array<double, 3>> direction = {};  // parallel projection, looking in this direction
-  // Perspective, in the unit of the file. An eye outside the scene looks at its middle unless look_at is given.
+  // Perspective, in the unit of the file. An eye outside the scene looks at its middle, one inside in the direction of the scene's
+  // camera, unless look_at is given.
   std::optional<std::array<double, 3>> eye = {};
   std::optional<std::array<double, 3>> look_at = {};
   std::optional<std::array<double, 3>> up = {};  // points up in the picture, as nearly as possible

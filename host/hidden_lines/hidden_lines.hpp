@@ -129,7 +129,7 @@ struct DrawnEdge {
   picture::LineEdge edge;                        // by vertex numbers of the scene
   std::string_view kind;                         // of picture::edge_kind_names or picture::hatching_kinds
   std::array<std::array<double, 3>, 2> ends{};   // in the unit of the file
-  std::array<std::uint32_t, 2> vertices{no_number, no_number};  // numbers in the file from 0; no_number: the line is no edge of a face
+  std::array<std::uint32_t, 2> vertices{no_number, no_number};  // numbers in the file from 0; no_number: an intersection, or a line of hatching
   // The faces at the edge: numbers in the file from 0, ascending, in Drawing::edge_faces.
   std::uint32_t first_face = 0;
   std::uint32_t face_count = 0;

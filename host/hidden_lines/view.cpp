@@ -215,9 +215,11 @@ class Views::Work {
   void choose_edges() {
     seams_ = source_.scene.surfaces.empty() && !options_.edges.are_given();
     auto choice = seams_ ? std::nullopt : edge_choice(options_.edges, scene());
-    if (seams_ && has_free_lines()) choice = picture::edge_choice_named("all");
+    picture::EdgeChoice all = *picture::edge_choice_named("all");
+    all.crease = options_.edges.crease.value_or(source_.scene.surfaces.empty() ? 0 : all.crease);
+    if (seams_ && has_free_lines()) choice = all;
     chosen_by_user_ = choice.has_value();
-    if (options_.strokes && !choice) choice = picture::edge_choice_named("all");
+    if (options_.strokes && !choice) choice = all;
     if (choice) chooser_.emplace(scene(), *choice, options_.jobs);
   }
 
@@ -357,8 +359,14 @@ class Views::Work {
     if (proof == proofs.end() || proof->edge != edge) return result.parts.push_back(part);
     const geometry::Rational high = part.high;
     for (const algorithms::exact::Witness& witness : proof->left) {
-      if (witness.high <= part.low || !(part.low < high)) continue;
-      if (high <= witness.low) break;
+      if (witness.high <= part.low) continue;
+      if (high <= witness.low || !(part.low < high)) break;
+      if (part.low < witness.low) {
+        part.high = witness.low;
+        part.hidden_by = no_number;
+        result.parts.push_back(part);
+        part.low = witness.low;
+      }
       part.high = std::min(high, witness.high);
       part.hidden_by = witness.face == algorithms::exact::Witness::behind_eye ? no_number : scene::face_in_file(of, witness.face);
       result.parts.push_back(part);

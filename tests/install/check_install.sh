@@ -134,4 +134,6 @@ if command -v dpkg-deb > /dev/null && command -v dpkg-shlibdeps > /dev/null; the
   dpkg-deb -x "$deb" "$work/root"
   cmp -s "$vectors/i8080/single-step.txt" "$work/root/usr/share/sightline/vectors/i8080/single-step.txt" || fail "the package has no test vectors"
   "$work/root/usr/bin/sightline" --version > /dev/null || fail "the packaged command does not run"
+  [ -s "$work/root/usr/include/sightline/hidden_lines.hpp" ] || fail "the package has no header of the library"
+  [ -n "$(find "$work/root/usr" -name 'libsightline_hidden_lines.so.0')" ] || fail "the package has no library"
 fi

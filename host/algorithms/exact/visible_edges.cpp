@@ -402,6 +402,7 @@ picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera
   }
   auto number = mesh.edges.begin();
   for (std::size_t p = 0; p < proofs.size(); ++p) {
+    if (p % edges_a_look == 0 && !watch.go_on(1)) return {};
     EdgeProof& proof = proofs[p];
     proof.edge = chosen != nullptr ? chosen->edges[p] : mesh.edges[p];
     number = std::lower_bound(number, mesh.edges.end(), proof.edge);

@@ -25,6 +25,7 @@
 #include "host/base/number.hpp"
 #include "host/base/progress.hpp"
 #include "host/base/result.hpp"
+#include "host/base/threads.hpp"
 #include "host/hidden_lines/hidden_lines.hpp"
 #include "host/picture/edge_choice.hpp"
 #include "host/picture/face_shades.hpp"
@@ -361,7 +362,7 @@ hidden_lines::ViewOptions view_options(const registry::LineAlgorithm& algorithm,
   options.hatch = hatching(arguments);
   options.strokes = !arguments.strokes.empty();
   options.proof = !arguments.certificate.empty();
-  options.jobs = arguments.mesh.jobs;
+  options.jobs = base::useful_threads(arguments.mesh.jobs);
   return options;
 }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "host/base/threads.hpp"
 #include "host/hidden_lines/aim.hpp"
 #include "host/picture/camera_view.hpp"
 #include "host/scene/model/eye_place.hpp"
@@ -39,12 +40,11 @@ base::Result<hidden_lines::LoadOptions> load_options(const LoadOptions& options,
       if (!std::isfinite(c)) return wrong("eye", fmt::format("{}", c), "a finite number");
   if (auto error = fault_of_jobs(options.jobs)) return std::move(*error);
   hidden_lines::LoadOptions result;
-  result.jobs = options.jobs;
+  result.jobs = base::useful_threads(options.jobs);
   result.mend = options.mend;
   result.weld = options.weld;
   result.planar_tolerance = options.planar_tolerance;
   result.eye = options.eye;
-  result.unit = options.unit;
   result.watch = watch;
   return result;
 }
@@ -67,8 +67,8 @@ class Rings {
   std::size_t corner_ = 0;
 };
 
-std::size_t sum_of(const std::vector<std::uint32_t>& sizes) {
-  std::size_t sum = 0;
+std::uint64_t sum_of(const std::vector<std::uint32_t>& sizes) {
+  std::uint64_t sum = 0;
   for (const std::uint32_t size : sizes) sum += size;
   return sum;
 }
@@ -80,11 +80,11 @@ std::optional<base::Error> fault_of(const Mesh& mesh) {
   constexpr std::size_t most = 0x7ffffffe;
   if (mesh.vertices.size() > most || mesh.corners.size() > most)
     return fault("", fmt::format("{} vertices and {} corners", mesh.vertices.size(), mesh.corners.size()), fmt::format("at most {} of each", most));
-  if (const std::size_t sum = sum_of(mesh.ring_sizes); sum != mesh.corners.size())
+  if (const std::uint64_t sum = sum_of(mesh.ring_sizes); sum != mesh.corners.size())
     return fault("ring_sizes", fmt::format("sizes with the sum {}", sum), fmt::format("{}, the number of corners", mesh.corners.size()));
-  if (const std::size_t sum = sum_of(mesh.face_rings); !mesh.face_rings.empty() && sum != mesh.ring_sizes.size())
+  if (const std::uint64_t sum = sum_of(mesh.face_rings); !mesh.face_rings.empty() && sum != mesh.ring_sizes.size())
     return fault("face_rings", fmt::format("numbers with the sum {}", sum), fmt::format("{}, the number of rings", mesh.ring_sizes.size()));
-  if (const std::size_t sum = sum_of(mesh.line_sizes); sum != mesh.line_points.size())
+  if (const std::uint64_t sum = sum_of(mesh.line_sizes); sum != mesh.line_points.size())
     return fault("line_sizes", fmt::format("sizes with the sum {}", sum), fmt::format("{}, the number of line_points", mesh.line_points.size()));
   const std::size_t faces = mesh.face_rings.empty() ? mesh.ring_sizes.size() : mesh.face_rings.size();
   if (!mesh.bodies.empty() && mesh.bodies.size() != faces)
@@ -154,6 +154,20 @@ Kind kind_of(std::string_view name) {
   return Kind::flat;
 }
 
+// Options of the command are no remedy here.
+base::Result<hidden_lines::Scene> of_library(base::Result<hidden_lines::Scene> loaded) {
+  if (!loaded && loaded.error().remedy.starts_with("--")) loaded.error().remedy.clear();
+  return loaded;
+}
+
+std::optional<std::string> note_of_eye(const Point& given, const Point& used, double step) {
+  double shift = 0;
+  for (std::size_t a = 0; a < 3; ++a) shift = std::max(shift, std::abs(given[a] - used[a]));
+  if (shift < step * 1e-6) return std::nullopt;
+  return fmt::format("eye: rounded from {},{},{} to {},{},{}, the grid of the scene, which has steps of {}; give the eye when the scene is made, too",
+                     given[0], given[1], given[2], used[0], used[1], used[2], step);
+}
+
 Fraction fraction_of(const geometry::Rational& value) { return {value.numerator(), value.denominator()}; }
 
 }  // namespace
@@ -161,14 +175,14 @@ Fraction fraction_of(const geometry::Rational& value) { return {value.numerator(
 base::Result<hidden_lines::Scene> load(const std::string& path, const LoadOptions& options, const base::Watch& watch) {
   const auto checked = load_options(options, watch);
   if (!checked) return checked.error();
-  return hidden_lines::load(path, *checked);
+  return of_library(hidden_lines::load(path, *checked));
 }
 
 base::Result<hidden_lines::Scene> load(const Mesh& mesh, const LoadOptions& options, const base::Watch& watch) {
   const auto checked = load_options(options, watch);
   if (!checked) return checked.error();
   if (auto fault = fault_of(mesh)) return std::move(*fault);
-  auto loaded = hidden_lines::load(poly_mesh(mesh), *checked);
+  auto loaded = of_library(hidden_lines::load(poly_mesh(mesh), *checked));
   if (loaded) number_as_given(loaded->scene, mesh);
   return loaded;
 }
@@ -195,14 +209,18 @@ base::Result<hidden_lines::ViewOptions> view_options(const DrawOptions& options,
   result.field.min_length = options.min_length;
   result.strokes = true;
   result.proof = options.certificate;
-  result.jobs = options.jobs;
+  result.jobs = base::useful_threads(options.jobs);
   return result;
 }
 
 base::Result<Drawing> draw(const hidden_lines::Scene& scene, const hidden_lines::Views& views, const Camera& camera, const DrawOptions& options,
                            const base::Watch& watch) {
   const auto aimed = hidden_lines::aimed_camera(aim_of(camera), scene.scene);
-  if (!aimed) return aimed.error();
+  if (!aimed) {
+    base::Error error = aimed.error();
+    if (error.file == "eye" && error.expected.starts_with("a point between")) error.remedy = "give the eye when the scene is made, too";
+    return error;
+  }
   if (options.scale && aimed->camera.perspective) return wrong("scale", "in perspective", "parallel projection");
   if (options.field && !aimed->camera.perspective) return wrong("field", "in parallel projection", "perspective, or scale");
   if (auto error = scene::eye_error(scene.scene, aimed->camera)) {
@@ -238,7 +256,11 @@ base::Result<Drawing> draw(const hidden_lines::Scene& scene, const hidden_lines:
   result.camera_error = aimed->error;
   result.notes = views.notes();
   if (options.certificate) result.certificate = views.certificate(aimed->camera, *drawn);
-  result.picture = std::make_shared<const Drawing::Picture>(Drawing::Picture{std::move(drawn->picture), options.width, options.height});
+  result.width = drawn->picture.width;
+  result.height = drawn->picture.height;
+  if (camera.eye)
+    if (auto note = note_of_eye(*camera.eye, result.eye, scene.scene.step)) result.notes.push_back(std::move(*note));
+  result.picture = std::make_shared<const Drawing::Picture>(Drawing::Picture{std::move(drawn->picture), result.width, result.height});
   return result;
 }
 

@@ -66,8 +66,8 @@ using Progress = std::function<bool(double done)>;
 
 // Vertices, planar faces and polylines, in any unit.
 //
-// A face has an outline, counterclockwise as seen from outside, and may have holes, clockwise, with at most 1,024 corners in
-// all. Faces around a closed volume are a solid, whichever way they are turned; other faces are sheets, visible from both
+// A face has an outline, counterclockwise as seen from outside, and may have holes, with at most 1,024 corners in all.
+// Faces around a closed volume are a solid, whichever way they are turned; other faces are sheets, visible from both
 // sides. Faces of four corners and more that are not planar become triangles. Polylines hide nothing.
 struct Mesh {
   std::vector<Point> vertices;
@@ -106,8 +106,8 @@ struct LoadOptions {
   // Faces whose vertices are within this distance of the plane of a larger neighbour belong to one surface with it.
   // nullopt: as the precision of the numbers requires.
   std::optional<double> planar_tolerance = {};
-  std::string unit = {};  // of files that do not say it: um, mm, cm, m, inch or ft; for scales on paper
-  // An eye far outside the scene, or between the points of a grid of whole numbers, must be known when the scene is rounded.
+  // An eye from which the scene will be drawn. The grid is then chosen so that the eye is on it, or near: finer for a mesh of small
+  // whole numbers, whose grid has steps of 1 otherwise; coarser for an eye far outside.
   std::optional<Point> eye = {};
   unsigned jobs = 1;  // threads
   Progress progress = {};
@@ -115,8 +115,8 @@ struct LoadOptions {
 
 // ---------------------------------------------------------------------------------------------------------- Cameras
 
-// Where the scene is seen from. One of `view`, `direction` and `eye` is used, the last one given in this order; without any,
-// it is the view of the file, or from above, right and in front.
+// Where the scene is seen from: a `view`, a `direction`, or an `eye` and a point to `look_at`; more than one of the three is an
+// error. Without any, it is the camera of the file, or perspective from above, right and in front.
 //
 // Directions of view are kept to 15 bits: they differ by at most 0.3 degrees from what is asked for, and not at all where
 // small whole numbers describe them, as in all standard views (Drawing::camera_error says by how much).
@@ -125,7 +125,8 @@ struct Camera {
   std::string view = {};
   bool perspective = false;            // show `view` in perspective
   std::optional<Point> direction = {};  // parallel projection, looking in this direction
-  // Perspective: looking from `eye` at `look_at`, or at the middle of the scene.
+  // Perspective: looking from `eye` at `look_at`, or at the middle of the scene. The eye is rounded to the scene's grid;
+  // Drawing::eye is the one that was used, and Drawing::notes says so (see LoadOptions::eye).
   std::optional<Point> eye = {};
   std::optional<Point> look_at = {};
   std::optional<Point> up = {};  // points up on the drawing, as nearly as possible. nullopt: the vertical
@@ -145,12 +146,13 @@ struct DrawOptions {
   // to it and placed in its middle.
   double width = 200;
   double height = 200;
-  // Units of the drawing per unit of the mesh, instead of fitting; only in parallel projection.
+  // Units of the drawing per unit of the mesh, instead of fitting; only in parallel projection. The drawing grows beyond width
+  // and height if necessary.
   std::optional<double> scale = {};
   // Angle of the image across the shorter side, in degrees; only in perspective.
   std::optional<double> field = {};
   double min_length = 0;  // of a line on the drawing; shorter ones that join no others are left out
-  unsigned jobs = 1;      // threads; the drawing is the same for any number
+  unsigned jobs = 1;      // threads; the drawing is the same for any number. Hidden parts are searched by one
   bool certificate = false;  // fill in Drawing::certificate
   Progress progress = {};
 };
@@ -173,7 +175,7 @@ inline constexpr std::uint32_t none = 0xffffffff;
 struct Edge {
   Kind kind = Kind::flat;
   std::array<Point, 2> ends{};  // in the unit of the mesh, on the grid of the scene
-  // none: the end of an intersection, or a vertex that the scene was not given as an array of vertices.
+  // none: the end of an intersection. Of a file without numbered vertices, such as STL, different places are numbered as they come.
   std::array<std::uint32_t, 2> vertices{none, none};
   // The faces at the edge, ascending: Drawing::faces[first_face] and the following ones; of an intersection, both faces.
   std::uint32_t first_face = 0;
@@ -191,7 +193,8 @@ struct Fraction {
 };
 
 // A part of one edge, from ends[0] + low (ends[1] - ends[0]) to the same with high. Parts ascend by edge, then along it. The
-// fractions of intersections are rounded to multiples of 2^-60; all others are exact.
+// fractions of intersections are rounded to multiples of 2^-60; all others are exact. Where a hidden part passes from one face to
+// another that hides it, it is divided; so it is between triangles of one face.
 struct Part {
   std::uint32_t edge = 0;  // of Drawing::edges
   Fraction low;
@@ -238,7 +241,9 @@ struct Drawing {
   double scale = 1;
   std::array<double, 2> low{};
   double camera_error = 0;  // degrees between the direction of view and the one asked for
-  std::vector<std::string> notes;  // sentences on what was left out
+  double width = 0;         // of the drawing
+  double height = 0;
+  std::vector<std::string> notes;  // sentences on what differs from what was asked for
   // A proof of what is visible and what is hidden, which `sightline verify` checks: see DrawOptions::certificate.
   std::string certificate;
 

@@ -31,9 +31,10 @@ export interface SceneOptions {
   weld?: number;
   /** Vertices this near to the plane of a larger neighbour belong to its surface. */
   planarTolerance?: number;
-  /** The unit of the mesh: um, mm, cm, m, inch or ft. */
-  unit?: string;
-  /** An eye far outside the scene, which must be known when the scene is rounded. */
+  /**
+   * An eye from which the scene will be drawn. The grid is then chosen for it: finer for a mesh of small whole numbers, whose grid has
+   * steps of 1 otherwise; coarser for an eye far outside.
+   */
   eye?: Point;
 }
 

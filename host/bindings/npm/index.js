@@ -133,7 +133,7 @@ const isHarmless = error => error instanceof SightlineError && ['bad_input', 'us
 
 // ----------------------------------------------------------------------------------------------------------- Options
 
-const loadNames = ['mend', 'weld', 'planarTolerance', 'unit', 'eye'];
+const loadNames = ['mend', 'weld', 'planarTolerance', 'eye'];
 
 // Divides options into those that control a call, and all others.
 function divided(options) {

@@ -12,7 +12,7 @@ namespace {
 // Calls visit(name, member) until it returns true.
 template <class Visit>
 bool visit_options(LoadOptions& o, const Visit& visit) {
-  return visit("mend", o.mend) || visit("weld", o.weld) || visit("planar_tolerance", o.planar_tolerance) || visit("unit", o.unit) ||
+  return visit("mend", o.mend) || visit("weld", o.weld) || visit("planar_tolerance", o.planar_tolerance) ||
          visit("eye", o.eye);
 }
 template <class Visit>

@@ -165,6 +165,8 @@ py::tuple drawing_of(Drawing drawing) {
   columns["scale"] = drawing.scale;
   columns["low"] = py::array_t<double>(2, drawing.low.data());
   columns["camera_error"] = drawing.camera_error;
+  columns["width"] = drawing.width;
+  columns["height"] = drawing.height;
   columns["notes"] = drawing.notes;
   columns["certificate"] = drawing.certificate;
   Drawing picture;
@@ -191,7 +193,6 @@ PYBIND11_MODULE(_core, module) {
       .def_readwrite("mend", &sightline::LoadOptions::mend)
       .def_readwrite("weld", &sightline::LoadOptions::weld)
       .def_readwrite("planar_tolerance", &sightline::LoadOptions::planar_tolerance)
-      .def_readwrite("unit", &sightline::LoadOptions::unit)
       .def_readwrite("eye", &sightline::LoadOptions::eye)
       .def_readwrite("jobs", &sightline::LoadOptions::jobs);
 

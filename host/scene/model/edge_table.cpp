@@ -83,6 +83,7 @@ void EdgeTable::build(std::size_t vertices, unsigned jobs, ForSides for_sides) {
   for (std::uint32_t& s : start) s = std::exchange(count, count + s);
   std::vector<std::uint64_t> sides(count);
   base::for_parts(jobs, vertices, [&](std::size_t, std::size_t begin, std::size_t end) {
+    if (begin == end) return;
     std::uint32_t first = start[begin];
     for_sides_of(begin, end, [&](VertexIndex low, std::uint64_t side) { sides[start[low]++] = side; });
     // Now start[v] is where the sides of v end.

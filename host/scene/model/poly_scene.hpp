@@ -115,7 +115,7 @@ struct PolyScene {
   // For a mesh: pairs of a wire and a surface in whose plane it lies. Faces of that surface do not hide the
   // wire, although both were rounded. Ascending.
   std::vector<std::array<std::uint32_t, 2>> wires_on = {};
-  // For a mesh that was repaired: of each face, and of each vertex before those of crossings, the number in the file, from 0.
+  // For a mesh: of each face, and of each vertex before those of crossings, the number in the file, from 0.
   // A face of the file may have become several. Of vertices that became one, one is named. Empty: the same numbers.
   std::vector<std::uint32_t> face_in_file = {};
   std::vector<std::uint32_t> vertex_in_file = {};

@@ -168,18 +168,24 @@ class ObjReader {
     std::map<std::size_t, std::size_t> bodies;  // by number of the name
     std::map<std::pair<std::size_t, std::size_t>, std::uint32_t> materials;
     std::vector<std::vector<std::uint32_t>> materials_of;  // the faces of each body
-    for (NamedFace& face : faces_) {
+    std::vector<std::vector<std::uint32_t>> numbers_of;    // in the file
+    for (std::uint32_t number = 0; number < faces_.size(); ++number) {
+      NamedFace& face = faces_[number];
       const std::size_t key = has_objects_ ? face.object : of_groups ? face.group : 0;
       const auto [place, added] = bodies.try_emplace(key, mesh_.bodies.size());
       if (added) {
         mesh_.bodies.push_back({names[key], false, {}});
         materials_of.emplace_back();
+        numbers_of.emplace_back();
       }
+      numbers_of[place->second].push_back(number);
       mesh_.bodies[place->second].faces.push_back(std::move(face.face));
       const std::pair<std::size_t, std::size_t> look{face.material, of_groups ? 0 : face.group};
       materials_of[place->second].push_back(
           materials.try_emplace(look, static_cast<std::uint32_t>(materials.size())).first->second);
     }
+    if (numbers_of.size() > 1)
+      for (const auto& of_body : numbers_of) mesh_.face_in_file.insert(mesh_.face_in_file.end(), of_body.begin(), of_body.end());
     if (materials.size() < 2) return;
     for (const auto& of_body : materials_of) mesh_.materials.insert(mesh_.materials.end(), of_body.begin(), of_body.end());
   }

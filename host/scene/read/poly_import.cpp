@@ -10,6 +10,8 @@
 #include "host/base/threads.hpp"
 #include "host/geometry/box_tree.hpp"
 #include "host/geometry/vector.hpp"
+#include "host/scene/check/poly_scene.hpp"
+#include "host/scene/check/problems.hpp"
 #include "host/scene/model/aim_camera.hpp"
 #include "host/scene/model/file_units.hpp"
 #include "host/scene/read/open_vertices.hpp"
@@ -31,6 +33,7 @@ class Import {
     report().vertical = mesh_.vertical;
     report().unit = mesh_.unit.empty() ? options_.unit : std::move(mesh_.unit);
     report().notes = std::move(mesh_.notes);
+    face_in_file_ = std::move(mesh_.face_in_file);
     if (mesh_.flaw) leave_out_flawed();
     if (!options_.watch.go_on(0.3)) return base::cancelled();
     quantise();
@@ -69,6 +72,7 @@ class Import {
     std::size_t thin = 0;
     std::size_t nowhere = 0;
     std::uint32_t face_number = 0;
+    std::vector<std::uint32_t> kept_faces;  // their numbers before
     for (PolyBody& body : mesh_.bodies) {
       std::vector<PolyFace> kept;
       for (PolyFace& face : body.faces) {
@@ -79,7 +83,7 @@ class Import {
           ++nowhere;
         } else {
           kept.push_back(std::move(face));
-          face_in_file_.push_back(face_number);
+          kept_faces.push_back(face_number);
         }
         ++face_number;
       }
@@ -87,9 +91,11 @@ class Import {
     }
     std::erase_if(mesh_.bodies, [](const PolyBody& body) { return body.faces.empty(); });
     if (!mesh_.materials.empty()) {
-      for (std::size_t f = 0; f < face_in_file_.size(); ++f) mesh_.materials[f] = mesh_.materials[face_in_file_[f]];
-      mesh_.materials.resize(face_in_file_.size());
+      for (std::size_t f = 0; f < kept_faces.size(); ++f) mesh_.materials[f] = mesh_.materials[kept_faces[f]];
+      mesh_.materials.resize(kept_faces.size());
     }
+    for (std::uint32_t& face : kept_faces) face = face_in_file(face);
+    face_in_file_ = std::move(kept_faces);
     std::size_t wires = 0;
     for (const PolyWire& wire : mesh_.wires) {
       const PolyWire kept{number[wire[0]], number[wire[1]]};
@@ -131,6 +137,13 @@ class Import {
     size_ = 2 * static_cast<double>(bounds_of(scene()).half_size()) * report().step;
   }
 
+  // Against the outline.
+  void turn_holes(PolyFace& face) {
+    const auto outwards = ring_normal(scene().vertices, face.outline);
+    for (Ring& hole : face.holes)
+      if (geometry::wide_dot(outwards, ring_normal(scene().vertices, hole)) > 0) std::reverse(hole.begin(), hole.end());
+  }
+
   // Into triangles: faces that are mended have no holes.
   std::optional<base::Error> divide_faces_with_holes() {
     const auto has_holes = [](const PolyFace& face) { return !face.holes.empty(); };
@@ -146,6 +159,16 @@ class Import {
           divided.push_back(std::move(face));
           sources.push_back(number);
           continue;
+        }
+        turn_holes(face);
+        if (!options_.mend && report().largest_shift == 0) {
+          Problems problems;
+          const std::string place = "body " + std::to_string(b) + ", face " + std::to_string(f);
+          if (!check_face(scene().vertices, face, place, problems)) {
+            base::Error error = problems.take().front();
+            error.file = mesh_.source;
+            return error;
+          }
         }
         const auto triangles = triangulate(scene().vertices, face);
         if (!triangles) {
@@ -355,7 +378,7 @@ class Import {
   PolyMesh mesh_;  // its vertices less the origin, once they are on the grid
   double reach_ = 0;  // the largest coordinate of the file
   double size_ = 0;   // the largest side of its bounds
-  std::vector<std::uint32_t> face_in_file_;    // of each face, if some were left out or divided; otherwise empty
+  std::vector<std::uint32_t> face_in_file_;    // of each face, if it is another one; otherwise empty
   std::vector<std::uint32_t> vertex_in_file_;  // of each vertex, if some were left out
   PolyImportOptions options_;
   PolyImport result_;

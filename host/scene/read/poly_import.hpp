@@ -45,6 +45,7 @@ struct PolyMesh {
   // and their faces; empty if all have the same.
   std::vector<std::uint32_t> materials;
   bool materials_are_colours = false;   // of single faces: PolyScene::materials_are_colours
+  std::vector<std::uint32_t> face_in_file;  // PolyScene::face_in_file, by faces in the order of the bodies; empty: the same numbers
   std::optional<std::size_t> vertical;  // the axis that the format says is upwards: 0, 1, 2 = x, y, z
   std::string unit;                     // of the coordinates, as the format says: "m", "mm", "inch"; or empty
   std::vector<std::string> notes;       // what was passed over, a phrase each: "3 statements \"s\""

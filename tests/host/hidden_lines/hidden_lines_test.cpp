@@ -106,6 +106,43 @@ TEST(HiddenLines, FacesAndVerticesOfAnEdgeAreNumberedAsInTheArrays) {
   }
 }
 
+// The first object returns after the second.
+TEST(HiddenLines, FacesOfAnObjectThatReturnsAreNumberedAsInTheFile) {
+  const std::string text =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\nv 9 0 0\nv 10 0 0\nv 9 1 0\no A\nf 1 2 3\no B\nf 4 5 6\no A\nf 7 8 9\n";
+  const auto scene = load(scene::SceneFile{.name = "returns.obj", .text = text});
+  ASSERT_TRUE(scene) << scene.error().message();
+  ViewOptions options;
+  options.strokes = true;
+  const auto drawing = view(*scene, Camera{false, {}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}}, options);
+  ASSERT_TRUE(drawing) << drawing.error().message();
+  ASSERT_EQ(drawing->edges_drawn.size(), 9U);
+  for (const DrawnEdge& edge : drawing->edges_drawn) {
+    ASSERT_EQ(edge.face_count, 1U);
+    const double x = std::min(edge.ends[0][0], edge.ends[1][0]);
+    EXPECT_EQ(drawing->edge_faces[edge.first_face], x < 2 ? 0U : x < 8 ? 1U : 2U);
+  }
+}
+
+TEST(HiddenLines, ACreaseIsMeasuredAlsoWhereAllEdgesAreDrawn) {
+  scene::PolyMesh mesh;
+  mesh.source = "fold";
+  mesh.vertices = {{0, 0, 0}, {0, 10, 0}, {10, 0, 0}, {10, 10, 0}, {-8, 0, 6}, {-8, 10, 6}};
+  scene::PolyBody body;
+  body.faces = {{{0, 2, 3, 1}, {}}, {{0, 1, 5, 4}, {}}};
+  mesh.bodies.push_back(body);
+  const auto scene = load(mesh);
+  ASSERT_TRUE(scene) << scene.error().message();
+  for (const auto& [crease, kind] : {std::pair{30.0, "crease"}, {60.0, "flat"}}) {
+    ViewOptions options;
+    options.strokes = true;
+    options.edges = {.kinds = "all", .crease = crease};
+    const auto drawing = view(*scene, Camera{false, {}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}}, options);
+    ASSERT_TRUE(drawing) << drawing.error().message();
+    for (const DrawnEdge& edge : drawing->edges_drawn) EXPECT_EQ(edge.kind, edge.face_count == 2 ? kind : "boundary") << crease;
+  }
+}
+
 TEST(HiddenLines, AFaceWithAHoleHidesWhatIsNotBehindTheHole) {
   // A square of 10 with a hole of 4 in its middle, and a line behind it from side to side.
   scene::PolyMesh mesh;
@@ -138,6 +175,13 @@ TEST(HiddenLines, AFaceWithAHoleHidesWhatIsNotBehindTheHole) {
   mesh.vertices.push_back({20, 0, 0});
   mesh.bodies[0].faces[0].holes[0] = {7, 6, 10, 4};
   EXPECT_FALSE(load(mesh)) << "the hole crosses the outline";
+  mesh.vertices.pop_back();
+  mesh.bodies[0].faces[0].holes[0] = {7, 6, 5, 4};
+  mesh.vertices[2][2] = 5;
+  EXPECT_TRUE(load(mesh)) << "triangles";
+  const auto strict = load(mesh, {});
+  ASSERT_FALSE(strict);
+  EXPECT_NE(strict.error().message().find("body 0, face 0"), std::string::npos) << strict.error().message();
 }
 
 TEST(HiddenLines, OnlyExactHasProofs) {

@@ -96,8 +96,9 @@ class Drawing:
     scale              float
     low                (2,)      float64
     camera_error       float              degrees between the direction of view and the one that was asked for
+    width, height      float              size of the drawing; larger than asked for if a scale needs it
 
-    notes              list of str        sentences on what was left out
+    notes              list of str        sentences on what differs from what was asked for
     certificate        str                a proof of what is visible, which `sightline verify` checks; empty unless asked for
 
     >>> plate = [(-5, -5, 0), (5, -5, 0), (5, 5, 0), (-5, 5, 0)]
@@ -131,6 +132,8 @@ class Drawing:
     scale: float
     low: NDArray[np.float64]
     camera_error: float
+    width: float
+    height: float
     notes: list[str]
     certificate: str
 
@@ -232,8 +235,9 @@ class Scene:
     vertices   (n, 3) array of any real type, in any unit
     faces      (m, k) integer array of vertex numbers from 0, k at least 3; or a sequence of faces, each a sequence of 3 or more
                numbers or a pair (outline, [hole, ...]) of such sequences. Outlines are counterclockwise as seen from outside,
-               holes clockwise, with at most 1,024 corners in all. Faces around a closed volume are a solid, whichever way they are turned; other faces are sheets,
-               visible from both sides. Faces of four corners and more that are not planar become triangles
+               and a face with holes has at most 1,024 corners. Faces around a closed volume are a solid, whichever way they
+               are turned; other faces are sheets, visible from both sides. Faces of four corners and more that are not planar
+               become triangles
     polylines  (m, k) integer array, k at least 2, or a sequence of sequences: lines that hide nothing
     bodies     (number of faces,) integers from 0, less than the number of faces: the body of each face. Numbers without a face
                are left out of `Scene.bodies`. None: faces that an edge joins are one body
@@ -277,7 +281,7 @@ class Scene:
         jobs: int = 1,
         progress: Optional[Progress] = None,
     ) -> None:
-        options = _arguments.fill(_core.LoadOptions(), {**locals(), "unit": None})
+        options = _arguments.fill(_core.LoadOptions(), locals())
         self._scene = _core.Scene(*_arguments.mesh_of(vertices, faces, polylines, bodies), options, _arguments.function(progress))
 
     @classmethod
@@ -288,7 +292,6 @@ class Scene:
         mend: bool = True,
         weld: float = 0,
         planar_tolerance: Optional[float] = None,
-        unit: Optional[str] = None,
         eye: Optional[ArrayLike] = None,
         jobs: int = 1,
         progress: Optional[Progress] = None,
@@ -296,8 +299,7 @@ class Scene:
         """Reads a file (OBJ, OFF, STL, PLY, glTF, 3MF or JSON, recognized by its beginning), a built-in scene ("house") or a
         generated one ("boxes-100-7").
 
-        unit       um, mm, cm, m, inch or ft, of files that do not say it
-        The others are those of Scene.
+        The options are those of Scene.
 
         Raises FileError (the file cannot be read) and InputError (its first fault, with its place).
 

@@ -55,7 +55,7 @@ def _jobs(name, value):
     return int(value)
 
 
-_LOAD = {"mend": _flag, "weld": _number, "planar_tolerance": _number, "unit": _text, "eye": _point, "jobs": _jobs}
+_LOAD = {"mend": _flag, "weld": _number, "planar_tolerance": _number, "eye": _point, "jobs": _jobs}
 _CAMERA = {
     "view": _text,
     "perspective": _flag,

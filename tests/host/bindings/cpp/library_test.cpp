@@ -195,6 +195,38 @@ TEST(Library, PreparedViewsAreTheViewsOfEach) {
   }
 }
 
+TEST(Library, ADrawingGrowsWithItsScaleAndSoDoesItsFile) {
+  Mesh mesh;
+  mesh.vertices = {{0, 0, 0}, {30, 0, 0}, {30, 1, 0}, {0, 1, 0}};
+  mesh.corners = {0, 1, 2, 3};
+  mesh.ring_sizes = {4};
+  const Drawing drawing = Scene(mesh).draw({.view = "front"}, {.scale = 20});
+  EXPECT_EQ(drawing.width, 600);
+  EXPECT_NE(drawing.file({.margin = 10}).find("width=\"620.000mm\""), std::string::npos) << drawing.file().substr(0, 300);
+}
+
+TEST(Library, AnEyeOffTheGridIsNoted) {
+  const Mesh mesh = cube();
+  const sightline::Point eye{24.4, 21.6, 20.5};
+  const Drawing rounded = Scene(mesh).draw({.eye = eye});
+  EXPECT_EQ(rounded.eye, (sightline::Point{24, 22, 21}));
+  ASSERT_EQ(rounded.notes.size(), 1U);
+  EXPECT_EQ(rounded.notes[0].substr(0, 50), "eye: rounded from 24.4,21.6,20.5 to 24,22,21, the ");
+  const Drawing nearer = Scene(mesh, {.eye = eye}).draw({.eye = eye});
+  for (std::size_t a = 0; a < 3; ++a) EXPECT_NEAR(nearer.eye[a], eye[a], 0.01);
+}
+
+TEST(Library, HolesMayTurnEitherWay) {
+  const auto drawn = [](const std::vector<std::uint32_t>& hole) {
+    Mesh mesh;
+    mesh.vertices = {{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}, {-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}, {-9, 1, -2}, {9, 1, -2}};
+    mesh.add_face(std::array{0U, 1U, 2U, 3U}, std::array{hole});
+    mesh.add_polyline(std::array{8U, 9U});
+    return Scene(mesh).draw({.view = "front"}).file();
+  };
+  EXPECT_EQ(drawn({4, 5, 6, 7}), drawn({7, 6, 5, 4}));
+}
+
 TEST(Library, SeveralThreadsMayUseOneScene) {
   const Scene scene(many_boxes(5));
   const auto prepared = scene.prepare();

@@ -47,7 +47,7 @@ class Members(unittest.TestCase):
             self.assertEqual(list(array.shape), expected, name)
             self.assertTrue(array.flags.c_contiguous and array.flags.writeable, name)
         self.assertEqual(
-            set(TYPES) | {"perspective", "scale", "camera_error", "notes", "certificate"}, set(sightline.Drawing.__annotations__)
+            set(TYPES) | {"perspective", "scale", "camera_error", "width", "height", "notes", "certificate"}, set(sightline.Drawing.__annotations__)
         )
 
     def test_every_array_has_its_shape_and_type(self):
