@@ -14,18 +14,14 @@ base::Result<PreparedScene> prepare_exact_threads(const scene::PolyScene& scene,
       std::make_shared<const algorithms::exact::EdgeMesh>(algorithms::exact::make_edge_mesh(scene));
   PreparedScene prepared;
   prepared.counts = {{"edges", mesh->edges.size()}, {"faces", mesh->faces.size()}};
-  prepared.view = [mesh, jobs](const scene::PolyCamera& camera) -> base::Result<LineView> {
-    return LineView{algorithms::exact::visible_edges(*mesh, camera, nullptr, jobs), {}};
-  };
-  prepared.view_chosen = [mesh, jobs](const scene::PolyCamera& camera,
-                                      const picture::ChosenEdges& chosen) -> base::Result<LineView> {
-    return LineView{algorithms::exact::visible_edges(*mesh, camera, &chosen, jobs), {}};
-  };
-  prepared.view_watched = [mesh, jobs](const scene::PolyCamera& camera, const picture::ChosenEdges* chosen, const base::Watch& watch,
-                                       std::vector<algorithms::exact::EdgeProof>* proofs) -> base::Result<LineView> {
+  const auto watched = [mesh, jobs](const scene::PolyCamera& camera, const picture::ChosenEdges* chosen, const base::Watch& watch,
+                                    std::vector<algorithms::exact::EdgeProof>* proofs) -> base::Result<LineView> {
     if (proofs != nullptr) return LineView{algorithms::exact::visible_edges(*mesh, camera, chosen, *proofs, watch), {}};
     return LineView{algorithms::exact::visible_edges(*mesh, camera, chosen, jobs, watch), {}};
   };
+  prepared.view_watched = watched;
+  prepared.view = [watched](const scene::PolyCamera& camera) { return watched(camera, nullptr, {}, nullptr); };
+  prepared.view_chosen = [watched](const scene::PolyCamera& camera, const picture::ChosenEdges& chosen) { return watched(camera, &chosen, {}, nullptr); };
   return prepared;
 }
 

@@ -125,22 +125,17 @@ scene::PolyMesh poly_mesh(const Mesh& mesh) {
     face.outline = rings.next();
     for (std::uint32_t hole = 1; !mesh.face_rings.empty() && hole < mesh.face_rings[f]; ++hole) face.holes.push_back(rings.next());
   }
+  // A PolyMesh has them in the order of the bodies.
+  result.face_in_file.resize(mesh.bodies.size());
+  std::iota(result.face_in_file.begin(), result.face_in_file.end(), 0U);
+  std::stable_sort(result.face_in_file.begin(), result.face_in_file.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return mesh.bodies[a] < mesh.bodies[b]; });
   std::size_t point = 0;
   for (const std::uint32_t size : mesh.line_sizes) {
     for (std::size_t i = 1; i < size; ++i) result.wires.push_back({mesh.line_points[point + i - 1], mesh.line_points[point + i]});
     point += size;
   }
   return result;
-}
-
-// In the scene, faces have the numbers of poly_mesh, which are in the order of the bodies.
-void number_as_given(scene::PolyScene& scene, const Mesh& mesh) {
-  if (mesh.bodies.empty()) return;
-  std::vector<std::uint32_t> given(mesh.bodies.size());
-  std::iota(given.begin(), given.end(), 0U);
-  std::stable_sort(given.begin(), given.end(), [&](std::uint32_t a, std::uint32_t b) { return mesh.bodies[a] < mesh.bodies[b]; });
-  if (scene.face_in_file.empty()) scene.face_in_file = given;
-  else for (std::uint32_t& face : scene.face_in_file) face = given[face];
 }
 
 hidden_lines::Aim aim_of(const Camera& camera) {
@@ -182,9 +177,7 @@ base::Result<hidden_lines::Scene> load(const Mesh& mesh, const LoadOptions& opti
   const auto checked = load_options(options, watch);
   if (!checked) return checked.error();
   if (auto fault = fault_of(mesh)) return std::move(*fault);
-  auto loaded = of_library(hidden_lines::load(poly_mesh(mesh), *checked));
-  if (loaded) number_as_given(loaded->scene, mesh);
-  return loaded;
+  return of_library(hidden_lines::load(poly_mesh(mesh), *checked));
 }
 
 base::Result<hidden_lines::ViewOptions> view_options(const DrawOptions& options, const hidden_lines::Scene& scene) {

@@ -125,7 +125,8 @@ struct Camera {
   std::string view = {};
   bool perspective = false;            // show `view` in perspective
   std::optional<Point> direction = {};  // parallel projection, looking in this direction
-  // Perspective: looking from `eye` at `look_at`, or at the middle of the scene. The eye is rounded to the scene's grid;
+  // Perspective: looking from `eye` at `look_at`, or at the middle of the scene (from within its bounds, in the direction of the
+  // scene's own camera). The eye is rounded to the scene's grid;
   // Drawing::eye is the one that was used, and Drawing::notes says so (see LoadOptions::eye).
   std::optional<Point> eye = {};
   std::optional<Point> look_at = {};

@@ -56,6 +56,7 @@ export function moduleOptions(options) {
   const result = [];
   for (const [given, value] of Object.entries(options)) {
     if (value === undefined) continue;
+    if (Object.hasOwn(camelNames, given)) throw wrongArgument('usage', given, 'this name', camelNames[given]);
     const option = {name: moduleNames[given] ?? given, type: 4, numbers: [0, 0, 0], text: ''};
     if (typeof value === 'number') [option.type, option.numbers] = [0, [value, 0, 0]];
     else if (typeof value === 'boolean') [option.type, option.numbers] = [1, [Number(value), 0, 0]];

@@ -345,7 +345,8 @@ class Scene:
         perspective  show `view` in perspective
         direction    three numbers: parallel projection, looking in this direction
         eye          three numbers: perspective from this point, in the unit of the mesh
-        look_at      three numbers: the point that the eye looks at. None: the middle of the scene
+        look_at      three numbers: the point that the eye looks at. None: the middle of the scene; from within its bounds, the eye
+                     looks in the direction of the scene's own camera
         up           three numbers: points up on the drawing, as nearly as possible. None: the vertical
         vertical     the axis of the scene that points up: x, y, z, -x, -y or -z. None: as the format of the file says, or y
 

@@ -217,6 +217,7 @@ const tests = {
       'mend: found an object, expected true or false': {mend: {}},
       'crease: found inf, expected a finite number of degrees': {crease: Infinity},
       'eye: found besides view, expected one of them': {view: 'iso', eye: [1, 2, 3]},
+      'look_at: found this name, expected lookAt': {eye: [40, 30, 50], look_at: [0, 0, 0]},
       'direction: found 0,0,0, expected a direction': {direction: [0, 0, 0]},
       'scale: found in perspective, expected parallel projection': {eye: new Float32Array([30, 30, 30]), scale: 2},
       'field: found in parallel projection, expected perspective, or scale': {view: 'iso', field: 60},
