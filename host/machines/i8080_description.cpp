@@ -395,7 +395,10 @@ Result<Program> read_bin(View bytes, const std::string& file, LoadAddress addres
 }
 Result<Program> read_hex(View bytes, const std::string& file, LoadAddress address) {
   if (address) return address_refused(file, "Intel HEX has its own");
-  return program_of(image::read_intel_hex({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file));
+  std::vector<std::string> warnings;
+  auto program = program_of(image::read_intel_hex({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file, &warnings));
+  if (program) program->warnings = std::move(warnings);
+  return program;
 }
 
 // With --cpm, raw bytes without an address are a CP/M program.
