@@ -73,11 +73,15 @@ Json row_of(const i8080::PinState& pins) {
   using enum i8080::TState;
   const bool addressed = pins.state != t4 && pins.state != t5 && pins.state != held && !pins.hold_acknowledge;
   const bool driven = pins.direction != i8080::DataPins::floating && !pins.hold_acknowledge;
+  return Json::array({addressed ? Json(pins.address) : Json(), driven ? Json(pins.data) : Json(), Json(pins.status)});
+}
+
+std::string active_pins(const i8080::PinState& pins) {
   std::string shown;
   for (const auto& [high, letter] : {std::pair{pins.sync, 's'}, {pins.data_in, 'd'}, {pins.write_strobe, 'w'}, {pins.waiting, 'a'},
                                      {pins.hold_acknowledge, 'h'}, {pins.interrupts_on, 'e'}})
     shown += high ? letter : '-';
-  return Json::array({addressed ? Json(pins.address) : Json(), driven ? Json(pins.data) : Json(), Json(pins.status), Json(shown)});
+  return shown;
 }
 
 // The sequence of the engine is fixed by the C++ standard; distributions are not.
@@ -123,15 +127,18 @@ Json run_case(const std::string& name, const Start& start, std::size_t t_states)
   do machine.step();
   while (board.rows.size() < t_states);
   Json cycles = Json::array();
+  Json pins = Json::array();
   Json inputs = Json::array();
   for (const auto& row : board.rows) {
     cycles.push_back(row_of(row));
+    pins.push_back(active_pins(row));
     inputs.push_back(Json::array({Json(row.inputs.interrupt ? 1 : 0), Json(row.inputs.ready ? 1 : 0), Json(row.inputs.hold ? 1 : 0)}));
   }
   Json made{{"name", name},
             {"initial", state_of(start.state, board.before)},
             {"final", state_of(machine.registers(), board.after)},
-            {"cycles", std::move(cycles)}};
+            {"cycles", std::move(cycles)},
+            {"pins", std::move(pins)}};
   if (t_states > 0) {
     made["inputs"] = std::move(inputs);
     made["vector"] = Json(start.vector);
