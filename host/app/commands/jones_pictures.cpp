@@ -1,13 +1,42 @@
 #include "host/app/commands/jones_pictures.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
 
 #include "host/app/outputs.hpp"
+#include "host/picture/apng.hpp"
 #include "host/picture/phosphor.hpp"
 #include "host/picture/raster_image.hpp"
 #include "host/picture/stroke_drawing.hpp"
 
 namespace sightline::app {
+
+namespace {
+
+constexpr std::uint16_t frame_rate = 25;
+constexpr std::int64_t most_frames = 750;
+constexpr core::Duration afterglow = core::seconds(4);  // of the screen; what is left after it is not seen
+
+// The screen while the first view is computed: photographs at equal times, each exposed for photograph_time; the last one, of the
+// complete picture, stays for a second.
+base::Bytes movie_of(const programs::jones::Outcome& outcome, const std::string& title) {
+  const core::Duration length = outcome.film_end.time_since_epoch();
+  const std::int64_t frames = std::min(most_frames, length * frame_rate / core::seconds(1) + 1);
+  picture::ApngWriter movie({1, frame_rate}, 0, {{"Title", title}, {"Description", "the P7 screen while lines are added at once"}, {"Software", "sightline"}});
+  auto first = outcome.film.begin();
+  for (std::int64_t frame = 1; frame <= frames; ++frame) {
+    const core::Instant time = outcome.film_end - length * (frames - frame) / frames;
+    while (first != outcome.film.end() && first->time + afterglow < time) ++first;
+    picture::PhosphorPhotograph photograph(std::max(core::Instant{}, time - photograph_time), time);
+    for (auto stroke = first; stroke != outcome.film.end() && stroke->time <= time; ++stroke) photograph.stroke(*stroke);
+    const auto milliseconds = frame == frames ? 1000 : (length / frames).count() / 1'000'000;
+    value_of(movie.add(photograph.develop(), {static_cast<std::uint16_t>(std::min<std::int64_t>(milliseconds, 60000)), 1000}));
+  }
+  return value_of(movie.finish());
+}
+
+}  // namespace
 
 std::string title_of(const std::string& scene_name, bool eae) {
   return scene_name + ", Jones 1971 on the PDP-7 " + (eae ? "with" : "without") + " EAE";
@@ -37,6 +66,10 @@ std::vector<std::string> write_jones_pictures(const std::string& directory, cons
   Output screen = open("-phosphor.png");
   write_png(screen, photograph.develop(), describe("the P7 screen, shutter open for 0.2 s"));
   screen.commit();
+  if (outcome.film.empty()) return paths;
+  Output movie = open(".apng");
+  movie.write(movie_of(outcome, title));
+  movie.commit();
   return paths;
 }
 
