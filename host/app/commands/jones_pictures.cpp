@@ -1,8 +1,11 @@
 #include "host/app/commands/jones_pictures.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 
 #include "host/app/outputs.hpp"
 #include "host/picture/apng.hpp"
@@ -14,24 +17,25 @@ namespace sightline::app {
 
 namespace {
 
-constexpr std::uint16_t frame_rate = 25;
+constexpr std::int64_t frame_rate = 25;
+constexpr std::int64_t least_frames = 50;  // two seconds: a view of less is shown in slow motion
 constexpr std::int64_t most_frames = 750;
-constexpr core::Duration afterglow = core::seconds(4);  // of the screen; what is left after it is not seen
 
-// The screen while the first view is computed: photographs at equal times, each exposed for photograph_time; the last one, of the
-// complete picture, stays for a second.
+// The points lit while the first view is computed, at equal times; the last frame stays for a second.
 base::Bytes movie_of(const programs::jones::Outcome& outcome, const std::string& title) {
   const core::Duration length = outcome.film_end.time_since_epoch();
-  const std::int64_t frames = std::min(most_frames, length * frame_rate / core::seconds(1) + 1);
-  picture::ApngWriter movie({1, frame_rate}, 0, {{"Title", title}, {"Description", "the P7 screen while lines are added at once"}, {"Software", "sightline"}});
-  auto first = outcome.film.begin();
+  const std::int64_t frames = std::clamp(length * frame_rate / core::seconds(1), least_frames, most_frames);
+  const double speed = core::in_seconds(length) * frame_rate / static_cast<double>(frames);
+  picture::ApngWriter movie({1, static_cast<std::uint16_t>(frame_rate)}, 0,
+                            {{"Title", title},
+                             {"Description", fmt::format("every point lit while lines are added at once, at {:.2f} of the machine's speed", speed)},
+                             {"Software", "sightline"}});
+  std::size_t lit = 0;
   for (std::int64_t frame = 1; frame <= frames; ++frame) {
     const core::Instant time = outcome.film_end - length * (frames - frame) / frames;
-    while (first != outcome.film.end() && first->time + afterglow < time) ++first;
-    picture::PhosphorPhotograph photograph(std::max(core::Instant{}, time - photograph_time), time);
-    for (auto stroke = first; stroke != outcome.film.end() && stroke->time <= time; ++stroke) photograph.stroke(*stroke);
-    const auto milliseconds = frame == frames ? 1000 : (length / frames).count() / 1'000'000;
-    value_of(movie.add(photograph.develop(), {static_cast<std::uint16_t>(std::min<std::int64_t>(milliseconds, 60000)), 1000}));
+    while (lit < outcome.film.size() && outcome.film[lit].time <= time) ++lit;
+    const picture::FrameTime shown{1, static_cast<std::uint16_t>(frame == frames ? 1 : frame_rate)};
+    static_cast<void>(value_of(movie.add(picture::crisp_raster(std::span(outcome.film).first(lit)), shown)));
   }
   return value_of(movie.finish());
 }
