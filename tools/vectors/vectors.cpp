@@ -95,7 +95,10 @@ class Random {
     static constexpr std::array<Byte, 12> corners{0x00, 0x01, 0x09, 0x0A, 0x0F, 0x10, 0x7F, 0x80, 0x99, 0x9A, 0xF0, 0xFF};
     return one_in(4) ? corners[below(corners.size())] : static_cast<Byte>(below(256));
   }
-  Address pair() { return i8080::joined(byte(), byte()); }
+  Address pair() {
+    const Byte first = byte();  // the order in which arguments are computed depends on the compiler
+    return i8080::joined(first, byte());
+  }
   i8080::State state() {
     i8080::State state;
     state.pc = pair();

@@ -124,10 +124,11 @@ Json ClientBreakpoints::set_at_instructions(const Json& arguments) {
 Json ClientBreakpoints::data_info(const Json& arguments) {
   const std::string name = text_in(arguments, "name");
   const auto none = [](const std::string& why) { return Json{{"dataId", Json()}, {"description", why}}; };
-  if (debugger_->register_named(name) || debugger_->pair_named(name)) return none("a register cannot be watched");
-  if (debugger_->is_state(name)) return none(name + " is no word of memory");
-  // With asAddress the value of the expression is the address, also that of [ADDRESS].
-  const std::string_view word = flag_in(arguments, "asAddress") ? std::string_view() : word_in_brackets(name);
+  // With asAddress the value of any expression is the address, also that of [ADDRESS] or a register.
+  const bool as_address = flag_in(arguments, "asAddress");
+  if (!as_address && (debugger_->register_named(name) || debugger_->pair_named(name))) return none("a register cannot be watched");
+  if (!as_address && debugger_->is_state(name)) return none(name + " is no word of memory");
+  const std::string_view word = as_address ? std::string_view() : word_in_brackets(name);
   const auto at = debugger_->address_of(word.empty() ? std::string_view(name) : word);
   if (!at) return none(at.error().message());
   const std::int64_t a_word = bytes_a_word(*debugger_);

@@ -504,6 +504,7 @@ TEST_F(DapSteps, DataBreakpointsOnWordsInBrackets) {
       {{{"name", "table+1"}}, "0x201"},
       {{{"name", "[hl]"}}, "0x0"},
       {{{"name", "[200]"}, {"asAddress", true}}, "0x7"},
+      {{{"name", "b"}, {"asAddress", true}}, "0x0"},
       {{{"name", "0x200"}, {"asAddress", true}, {"bytes", 3}}, "0x200-0x202"},
       {{{"name", "[200]"}, {"bytes", 2}}, "0x200-0x201"},
       {{{"name", "0FFFF"}, {"asAddress", true}, {"bytes", 100}}, "0xFFFF"},
