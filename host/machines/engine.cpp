@@ -463,7 +463,8 @@ std::vector<SourceLine> source_lines(std::span<const assembler::ListingLine> lis
   std::vector<SourceLine> lines;
   for (const assembler::ListingLine& line : listing) {
     const auto address = base::unsigned_number(line.address, radix);
-    if (address && line.line_number != 0)
+    // Labels and directives of the 8080 have an address and no code.
+    if (address && !line.code.empty() && line.line_number != 0)
       lines.push_back({static_cast<std::uint32_t>(*address), line.file, line.line_number});
   }
   return lines;
