@@ -27,7 +27,7 @@ struct FileFace {
   double height = 0;  // twice the area over the longest side
 };
 
-struct Plane {
+struct FilePlane {
   Vector normal{};  // of length 1
   Vector on{};
 };
@@ -87,10 +87,10 @@ class Surfaces {
   }
 
   // Of a triangle through its first corner, of others through the mean of all.
-  [[nodiscard]] Plane plane_of(std::uint32_t source) const {
+  [[nodiscard]] FilePlane plane_of(std::uint32_t source) const {
     const auto outline = file_.outline(source);
     const Vector& first = file_.vertices[outline[0]];
-    Plane plane{faces_[source].normal, first};
+    FilePlane plane{faces_[source].normal, first};
     if (outline.size() == 3) return plane;
     Vector shift{};
     for (const VertexIndex v : outline)
@@ -172,7 +172,7 @@ class Surfaces {
     return !(faces_[source].height > tolerance_ && geometry::dot(faces_[source].normal, normal) <= 0);
   }
 
-  [[nodiscard]] bool is_in(std::uint32_t source, const Plane& plane) const {
+  [[nodiscard]] bool is_in(std::uint32_t source, const FilePlane& plane) const {
     for (const VertexIndex v : file_.outline(source))
       if (std::abs(geometry::dot(plane.normal, geometry::difference(file_.vertices[v], plane.on))) > tolerance_) return false;
     return true;
@@ -180,7 +180,7 @@ class Surfaces {
 
   // Collects in `members` the faces without a group that are connected to the seed and lie in `plane`. A face that cannot grow and is
   // before the seed is a group of its own.
-  void flood(std::uint32_t seed, const Plane& plane, std::vector<std::uint32_t>& members) {
+  void flood(std::uint32_t seed, const FilePlane& plane, std::vector<std::uint32_t>& members) {
     ++round_;
     reached_[seed] = round_;
     members.assign(1, seed);
@@ -198,8 +198,8 @@ class Surfaces {
 
   // The mean plane of the members: their area-weighted normal, through the mean of their corners.
   // Empty if they have no area.
-  [[nodiscard]] std::optional<Plane> mean_plane(const std::vector<std::uint32_t>& members) const {
-    Plane mean;
+  [[nodiscard]] std::optional<FilePlane> mean_plane(const std::vector<std::uint32_t>& members) const {
+    FilePlane mean;
     std::size_t corners = 0;
     const Vector first = plane_of(members[0]).on;
     for (const std::uint32_t source : members) {
@@ -226,7 +226,7 @@ class Surfaces {
     flood(seed, plane_of(seed), members_);
     constexpr int most_rounds = 16;
     for (int i = 0; i < most_rounds && members_.size() > 1; ++i) {
-      const std::optional<Plane> mean = mean_plane(members_);
+      const std::optional<FilePlane> mean = mean_plane(members_);
       if (!mean || !is_turned_like(seed, mean->normal) || !is_in(seed, *mean)) break;
       flood(seed, *mean, more_);
       if (more_.size() <= members_.size()) break;
