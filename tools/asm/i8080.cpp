@@ -37,18 +37,18 @@ void lay_out(I8080Program& program, const I8080Options& options, std::size_t sou
     program.modules_known = std::any_of(program.modules.begin(), program.modules.end(), declares);
     if (program.modules_known) {
       program.symbols.clear();
-      program.unknown_equates = 0;
+      program.unknown_values = 0;
       enter_defines(program, options);
     } else {
       ++number;
     }
   }
   do {
-    unknown = program.unknown_equates;
+    unknown = program.unknown_values;
     I8080Pass(options, program, number++, false).run(sources);
   } while (number <= most_layout_passes &&
            (program.values_changed ||
-            (program.unknown_equates > 0 && (number == 2 || program.unknown_equates < unknown))));
+            (program.unknown_values > 0 && (number == 2 || program.unknown_values < unknown))));
 }
 
 std::vector<I8080Symbol> symbols_of(const I8080Program& program) {

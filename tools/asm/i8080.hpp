@@ -21,12 +21,14 @@
 //
 // Decisions where the assemblers differ or invite errors:
 // - Every character of a name counts. Names of registers are their values: MOV 7,0 is MOV A,B. A mnemonic in
-//   an expression is its opcode: MVI A,(RET). LXI HL and LXI DE are read as LXI H and LXI D.
+//   an expression is its opcode: MVI A,(RET). LXI HL and LXI DE are read as LXI H and LXI D, PUSH A as PUSH PSW.
 // - A byte is -128 to 255. The result of NOT may also have FF in its high byte, in parentheses or through an
 //   EQU, too (ANI NOT 80H).
 // - A string alone, of any length, is data in DB and DC; elsewhere one or two characters are a number, 'AB' is
 //   4142H. DC adds 80H to the last character.
-// - EQU and instructions may refer forward; ORG, DS, IF, REPT and %expr must not.
+// - EQU, IF and instructions may refer forward; ORG, DS, REPT and %expr must not. In the first pass IF takes an unknown name as
+//   0; later passes use its value.
+// - DS may run past FFFF: values begin again at 0, but a byte there needs an ORG.
 // - A second byte for one address draws a warning and replaces the first.
 // - END ends the file it is in. Segments (ASEG CSEG DSEG) share one location counter. There is no linker: if a source
 //   with PUBLIC or EXTRN is assembled with other sources, its undeclared names are local to it.

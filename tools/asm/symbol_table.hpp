@@ -29,6 +29,7 @@ struct Symbol {
   Position defined;
   bool was_permanent = false;   // an assignment replaced a symbol of the machine
   bool several_values = false;  // assigned differing values
+  bool set_again = false;       // a warning has been given
   int defined_in_pass = 0;      // the last pass that read its definition
 };
 

@@ -65,17 +65,20 @@ bool I8080Pass::condition(Directive directive) {
   }
   if (directive == Directive::if_ || directive == Directive::if_zero) {
     const std::size_t at = token_.column;
-    const auto value = constant_value("a condition");
-    if (!value || !expect_end()) return false;
-    const bool odd = (*value & 1U) != 0;
-    if (odd != (*value != 0) && rules_.if_takes_bit_zero) {
+    const auto read = expression();
+    if (!read || !expect_end()) return false;
+    // As in ASM and MAC, a name that is defined further down is 0 in the first pass. Later passes use its value.
+    if (!read->known) ++program_.unknown_values;
+    const std::uint32_t value = read->bits;
+    const bool odd = (value & 1U) != 0;
+    if (odd != (value != 0) && rules_.if_takes_bit_zero) {
       const std::string dialect(i8080_dialect_names[static_cast<std::size_t>(rules_.dialect)]);
-      warning(at, "value " + std::to_string(*value) + " of IF, of which only bit 0 is tested with --dialect " + dialect, "0 or an odd value");
-    } else if (odd != (*value != 0) && rules_.dialect == I8080Dialect::common) {
-      warning(at, "value " + std::to_string(*value) + " of IF",
+      warning(at, "value " + std::to_string(value) + " of IF, of which only bit 0 is tested with --dialect " + dialect, "0 or an odd value");
+    } else if (odd != (value != 0) && rules_.dialect == I8080Dialect::common) {
+      warning(at, "value " + std::to_string(value) + " of IF",
               "0, an odd value or --dialect: it is true here; mac and intel test bit 0 alone");
     }
-    return (rules_.if_takes_bit_zero ? odd : *value != 0) == (directive == Directive::if_);
+    return (rules_.if_takes_bit_zero ? odd : value != 0) == (directive == Directive::if_);
   }
   if (directive == Directive::if_defined || directive == Directive::if_not_defined) {
     if (token_.kind != I8080TokenKind::name) {

@@ -115,12 +115,12 @@ void I8080Pass::data_words() {
   expect_end();
 }
 
-// Without a fill byte the bytes stay undefined: they do not appear in a HEX file.
+// Without a fill byte the bytes stay undefined: they do not appear in a HEX file. They may run past FFFF, as in ASM and MAC:
+// values begin again at 0, but a byte there needs an ORG.
 void I8080Pass::space() {
-  const std::size_t at = token_.column;
   const auto size = constant_value("a size");
   if (!size) return;
-  shown_value_ = statement_location_;
+  shown_value_ = statement_location_ % memory_end;
   if (token_.is(',')) {
     advance();
     const std::size_t fill_at = token_.column;
@@ -129,15 +129,9 @@ void I8080Pass::space() {
     count_lines(*size / listing_bytes_a_row);
     for (std::uint32_t i = 0; i < *size && !reported_overflow_ && !stopped_; ++i) emit(byte);
     if (!fill) return;
-  } else if (location_ + *size > memory_end) {
-    if (!reported_overflow_) {
-      error(at, std::to_string(*size) + " bytes of space",
-            "at most " + std::to_string(memory_end - location_) + " up to the end of the 64K");
-    }
-    reported_overflow_ = true;
-    location_ = memory_end;
   } else {
     location_ += *size;
+    if (location_ >= memory_end) location_ = memory_end + location_ % memory_end;
   }
   expect_end();
 }

@@ -118,12 +118,13 @@ std::optional<I8080Value> I8080Pass::level(int precedence_level) {
 std::optional<I8080Value> I8080Pass::combine(Operator operation, const I8080Value& a, const I8080Value& b,
                                              std::size_t at) {
   const bool known = a.known && b.known;
-  if (known && b.bits == 0 && (operation == Operator::divide || operation == Operator::mod)) {
+  const bool divides = operation == Operator::divide || operation == Operator::mod;
+  if (divides && b.bits == 0) {
+    if (!known) return I8080Value{0, false, true, false};
     error(at, "a division by 0", "another divisor");
     return std::nullopt;
   }
-  const bool divides = known && (operation == Operator::divide || operation == Operator::mod);
-  std::uint32_t bits = known ? result_of(operation, a.bits, b.bits) & word_mask : 0;
+  std::uint32_t bits = result_of(operation, a.bits, b.bits) & word_mask;
   if (divides) {
     const std::uint32_t with_sign = signed_result_of(operation, a.bits, b.bits) & word_mask;
     if (with_sign != bits && rules_.dialect == I8080Dialect::common) {
@@ -159,7 +160,6 @@ std::optional<I8080Value> I8080Pass::prefix(Operator operation, int operand_leve
     case Operator::low: value->bits &= 0xFFU; break;
     default: break;  // a plus sign or a parenthesis
   }
-  if (!value->known) value->bits = 0;
   return value;
 }
 

@@ -29,7 +29,7 @@ bool is_prefix(Operator operation) {
 }  // namespace
 
 void I8080Pass::run(std::size_t sources) {
-  program_.unknown_equates = 0;
+  program_.unknown_values = 0;
   program_.values_changed = false;
   for (std::size_t file = 0; file < sources && !stopped_; ++file) {
     source_ = file;
@@ -47,6 +47,7 @@ void I8080Pass::run(std::size_t sources) {
     phase_ = 0;
     enter_segment("cseg");
   }
+  forget_vanished();
   warn_about_undefined_publics();
 }
 
@@ -111,6 +112,24 @@ std::string I8080Pass::scoped(const std::string& name) const {
   const auto found = program_.symbols.find(name);
   const bool defined = found != program_.symbols.end() && found->second.kind == I8080SymbolKind::define && found->second.value;
   return defined ? name : name + "\n" + std::to_string(source_);
+}
+
+// Forgets symbols that only the pass before defined, because an IF had another value in it. What IF1 defines stays in the last
+// pass.
+void I8080Pass::forget_vanished() {
+  if (final_) {
+    if (program_.vanished && errors_ == 0)
+      report(Severity::error, *program_.vanished, "a definition that is in every second pass", "an IF that does not depend on it");
+    return;
+  }
+  program_.vanished.reset();
+  for (auto& [key, entry] : program_.symbols) {
+    if (entry.defined_in_pass == 0 || entry.defined_in_pass == number_) continue;
+    program_.vanished = entry.defined;
+    program_.values_changed = true;
+    entry.value.reset();
+    entry.defined_in_pass = 0;
+  }
 }
 
 void I8080Pass::share(const std::string& name) {
@@ -184,7 +203,7 @@ void I8080Pass::enter(std::string_view name, std::size_t at, I8080SymbolKind kin
       reported_phase_error_ = final_;
     }
   }
-  if (!value.known) ++program_.unknown_equates;
+  if (!value.known) ++program_.unknown_values;
   if (!again) entry.defined = place(at);
   entry.kind = kind;
   entry.value = now;

@@ -51,8 +51,9 @@ struct I8080Program {
   std::deque<SourceFile> files;                         // sources, then included files
   std::map<std::string, std::optional<std::size_t>>
       included;                     // path -> its index in `files`; nothing if it cannot be read
-  std::size_t unknown_equates = 0;  // in the last pass
+  std::size_t unknown_values = 0;  // of EQUs and IFs in the last pass
   bool values_changed = false;        // in the last pass, compared with the pass before
+  std::optional<Position> vanished;  // a definition of the pass before that the last layout pass had no more
   image::ByteImage image;
   std::vector<ListingLine> listing;
   std::vector<Diagnostic> diagnostics;
@@ -114,6 +115,7 @@ class I8080Pass {
   // The key of a name of the current source in `symbols`.
   [[nodiscard]] std::string scoped(const std::string& name) const;
   void share(const std::string& name);
+  void forget_vanished();
   [[nodiscard]] std::string suggest_declaration(const std::string& name) const;
   void warn_about_undefined_publics();
   void emit(std::uint8_t byte);

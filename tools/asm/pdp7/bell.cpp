@@ -40,7 +40,13 @@ BellPass::BellPass(std::span<const SourceFile> sources, Pdp7Program& program, in
 
 void BellPass::run() {
   for (std::size_t i = 0; i < sources_.size(); ++i) read_file(i);
-  program_.relative_labels = relative_;
+  for (std::size_t digit = 0; digit < relative_.size(); ++digit) {
+    auto& labels = program_.relative_labels[digit];
+    labels.clear();
+    if (forward_[digit]) relative_[digit].push_back(*forward_[digit]);
+    for (const Number& label : relative_[digit])
+      labels.push_back(label.value | (label.relocatable != 0 ? relocatable_label : 0));
+  }
 }
 
 // --- Characters ---
@@ -131,6 +137,10 @@ bool BellPass::label_or_assignment() {
     while (is_pdp7_digit(peek())) ++at_;
     name = text_.substr(start, at_ - start);
   }
+  // 9f: and 9b = set what 9f and 9b mean from here on to the next 9: (assm4, assm5).
+  const bool sets_relative = !named && name.size() == 1 && (peek() == 'f' || peek() == 'b') &&
+                             !bell_letter(peek(1)) && !is_pdp7_digit(peek(1));
+  const char direction = sets_relative ? text_[at_++] : '\0';
   skip_blanks();
   const char next = peek();
   const bool right_half = peek(1) == '>';  // :> and => are characters
@@ -143,8 +153,10 @@ bool BellPass::label_or_assignment() {
     define_label(name, at);
   } else if (named) {
     assign(name, at);
+  } else if (sets_relative) {
+    set_relative_label(static_cast<std::size_t>(name[0] - '0'), direction == 'f', next == '=');
   } else if (next == ':' && name.size() == 1) {
-    define_relative_label(name[0]);
+    define_relative_label(static_cast<std::size_t>(name[0] - '0'), location_);
   } else {
     error(at, shown_name(std::string(name.substr(0, 40)) + next), "a relative label 0: to 9:, or a name");
     if (next == '=') skip_statement();
@@ -159,52 +171,72 @@ void BellPass::define_label(std::string_view name, const Position& at) {
   }
   base_used_ = true;
   Symbol& symbol = look_up(name, at);
-  const bool again =
-      symbol.kind == SymbolKind::tag && (symbol.defined != at || symbol.defined_in_pass == number_);
-  if (again || symbol.kind == SymbolKind::assigned || symbol.kind == SymbolKind::define) {
-    const std::string where = symbol.defined.line == 0 ? "the command line"
-                                                       : sources_[symbol.defined.file].name + ":" +
-                                                             std::to_string(symbol.defined.line);
-    return error(at, "label " + shown_name(name) + ", already defined at " + where, "another name");
-  }
+  if (symbol.kind == SymbolKind::define)
+    return error(at, "label " + shown_name(name) + ", already defined at the command line", "another name");
+  const bool first = symbol.defined_in_pass != number_;
+  if (!first) set_again(symbol, name, at);
   if (symbol.kind == SymbolKind::permanent) symbol.was_permanent = true;
   if (symbol.was_permanent) {
     warning(at, "label " + shown_name(name) + ", which hides the instruction of this name",
             "another name");
   }
-  if (final_ && symbol.value != location_.value) {
+  if (final_ && first && !symbol.several_values && symbol.value != location_.value) {
     error(at, "label " + shown_name(name) + " at another location than in the pass before",
           "locations that do not depend on themselves");
   }
   symbol.kind = SymbolKind::tag;
-  symbol.defined = at;
+  if (first) symbol.defined = at;
   symbol.value = location_.value;
   symbol.form = location_.relocatable != 0 ? relocatable_form : 0;
   symbol.defined_in_pass = number_;
 }
 
-void BellPass::define_relative_label(char digit) {
-  base_used_ = true;
-  relative_[static_cast<std::size_t>(digit - '0')].push_back(
-      location_.value | (location_.relocatable != 0 ? relocatable_label : 0));
+// `as` lets a name be set again (assm4). Before its first place in the source a name has its last value.
+void BellPass::set_again(Symbol& symbol, std::string_view name, const Position& at) {
+  if (!symbol.set_again) {
+    warning(at, shown_name(name) + " set again",
+            "another name than at " + sources_[symbol.defined.file].name + ":" + std::to_string(symbol.defined.line) +
+                "; before that line it has its last value");
+  }
+  symbol.set_again = final_;
+  symbol.several_values = true;
 }
 
-void BellPass::assign(std::string_view name, const Position& at) {
-  in_location_ = name == location_name || name == base_name;
+// 1: is 1b from here on, and 1f up to here.
+void BellPass::define_relative_label(std::size_t digit, const Number& value) {
+  base_used_ = true;
+  relative_[digit].push_back(value);
+  forward_[digit].reset();
+  backward_[digit] = value;
+}
+
+void BellPass::set_relative_label(std::size_t digit, bool forward, bool assigned) {
+  if (!assigned) base_used_ = true;
+  const auto value = assigned ? assigned_value() : location_;
+  if (!value) return skip_statement();
+  (forward ? forward_ : backward_)[digit] = *value;
+}
+
+std::optional<BellPass::Number> BellPass::assigned_value() {
   instruction_.reset();
   skip_blanks();
   const Position place = position();
   const auto read = expression();
+  return read ? check_relocation(*read, place) : read;
+}
+
+void BellPass::assign(std::string_view name, const Position& at) {
+  in_location_ = name == location_name || name == base_name;
+  skip_blanks();
+  const Position place = position();
+  const auto value = assigned_value();
   in_location_ = false;
-  const auto value = read ? check_relocation(*read, place) : read;
   if (!value) return skip_statement();
   if (name == location_name) return set_location(*value, place);
   if (name == base_name) return set_base(*value, place);
   Symbol& symbol = look_up(name, at);
   if (symbol.kind == SymbolKind::define) return;
-  if (symbol.kind == SymbolKind::tag) {
-    return error(at, "an assignment to " + shown_name(name) + ", which is a label", "another name");
-  }
+  if (symbol.kind == SymbolKind::tag && symbol.defined_in_pass == number_) set_again(symbol, name, at);
   const int form = value->relocatable != 0 ? relocatable_form : 0;
   const bool same = symbol.kind == SymbolKind::permanent && symbol.value == value->value && form == 0;
   if (symbol.kind == SymbolKind::permanent && !same && value->known) symbol.was_permanent = true;

@@ -11,7 +11,9 @@
 // - Blank is OR. `+` and `-` bind more tightly, and blanks next to them have no effect (gpair, expr).
 // - `<a` is a character in the left half of a word, `a>` in the right half, so `<ab>` both (lqot, rqot).
 // - `1:` can be defined often: 1b is the last definition before, 1f the next one after; there are ten, 0 to 9
-//   (assm3, gs3).
+//   (assm3, gs3). `1f:` and `1b:` set what 1f and 1b mean from there on to the next `1:` (assm4).
+// - A label or variable may be set again; before the first place it has the last value (assm4, lookup). A label that is set
+//   again draws a warning.
 // - `.` and labels are relocatable: the value of `..`, 4096 unless the source sets it, is added to a word with one of
 //   them (process). The difference of two is a number.
 // - The last location is 017777 (assm2).
@@ -19,8 +21,7 @@
 // table are defined, and `sys`, which is `cal i`; a source may define them again. It must define the names of system
 // calls.
 //
-// Stricter than as.s, where that would make other words without a message: a name with two places, an operand
-// that changes the instruction, a number above 18 bits, 8 and 9 in an octal number, two operators in
+// Stricter than as.s, where that would make other words without a message: an operand that changes the instruction, a number above 18 bits, 8 and 9 in an octal number, two operators in
 // succession, a comma (as.s takes it for a blank), `..` set after the first word or label.
 #pragma once
 
@@ -82,7 +83,10 @@ class BellPass {
   void statement();
   [[nodiscard]] bool label_or_assignment();
   void define_label(std::string_view name, const Position& at);
-  void define_relative_label(char digit);
+  void set_again(Symbol& symbol, std::string_view name, const Position& at);
+  void define_relative_label(std::size_t digit, const Number& value);
+  void set_relative_label(std::size_t digit, bool forward, bool assigned);
+  [[nodiscard]] std::optional<Number> assigned_value();
   void assign(std::string_view name, const Position& at);
   void set_location(const Number& value, const Position& at);
   void set_base(const Number& value, const Position& at);
@@ -121,7 +125,9 @@ class BellPass {
   bool after_left_character_ = false;             // the operand just read was <a
   bool in_location_ = false;                  // reading the new value of `.` or `..`
   std::optional<std::uint32_t> instruction_;  // the first name of a word, if it is one of the machine
-  std::array<std::vector<std::uint32_t>, 10> relative_;  // definitions in this pass
+  std::array<std::vector<Number>, 10> relative_;  // definitions of 0: to 9: in this pass
+  std::array<std::optional<Number>, 10> forward_;    // 0f to 9f, where 0f: to 9f: has set them since the last 0: to 9:
+  std::array<std::optional<Number>, 10> backward_;   // 0b to 9b
   std::map<std::uint32_t, Position> occupied_;
   std::set<std::string> clashes_;
 };

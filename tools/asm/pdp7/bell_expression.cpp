@@ -148,10 +148,11 @@ std::optional<BellPass::Number> BellPass::number() {
 // A forward reference takes its value from the pass before: the next definition after those that this pass has read.
 std::optional<BellPass::Number> BellPass::relative_label(const Position& at, std::size_t digit,
                                                          bool forward) {
-  const auto& met = relative_[digit];
+  const std::size_t next = relative_[digit].size();
   const auto& all = program_.relative_labels[digit];
-  std::uint32_t label = 0;
-  if (forward && (in_location_ || met.size() >= all.size())) {
+  const auto& set = forward ? forward_[digit] : backward_[digit];
+  if (set) return set;
+  if (forward && (in_location_ || next >= all.size())) {
     const std::string name = std::to_string(digit);
     if (in_location_) {
       error(at, "'" + name + "f' in a location", "a label that is defined before");
@@ -160,12 +161,12 @@ std::optional<BellPass::Number> BellPass::relative_label(const Position& at, std
     }
     return Number{0, 0, false};
   }
-  if (!forward && met.empty()) {
+  if (!forward) {
     const std::string name = std::to_string(digit);
     error(at, "'" + name + "b' without a label " + name + ": before it", "the label, or " + name + "f");
     return Number{0, 0, false};
   }
-  label = forward ? all[met.size()] : met.back();
+  const std::uint32_t label = all[next];
   return Number{label & core::Word18::mask, (label & relocatable_label) != 0 ? 1 : 0, true};
 }
 
@@ -178,11 +179,9 @@ std::optional<BellPass::Number> BellPass::symbol(std::string_view name, const Po
     return Number{0, 0, false};
   }
   const bool of_source = found.kind == SymbolKind::tag || found.kind == SymbolKind::assigned;
-  const bool later = of_source && found.defined_in_pass != number_;
-  if (later && (found.several_values || in_location_)) {
+  if (of_source && found.defined_in_pass != number_ && in_location_) {
     error(at, shown_name(name) + " before its first definition",
-          in_location_ ? "a name that is defined before, because the location depends on it"
-                       : "an earlier assignment, because it is assigned several values");
+          "a name that is defined before, because the location depends on it");
     return Number{0, 0, false};
   }
   if (!found.value) {
