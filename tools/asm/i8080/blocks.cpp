@@ -61,14 +61,14 @@ void I8080Pass::conditional(Directive directive, const Head& head) {
 bool I8080Pass::condition(Directive directive) {
   if (directive == Directive::if_first_pass || directive == Directive::if_second_pass) {
     // IF1 is true in the layout passes, IF2 in the pass that makes the bytes.
-    return expect_end() && final_ == (directive == Directive::if_second_pass);
+    return expect_end() && engine_.final() == (directive == Directive::if_second_pass);
   }
   if (directive == Directive::if_ || directive == Directive::if_zero) {
     const std::size_t at = token_.column;
     const auto read = expression();
     if (!read || !expect_end()) return false;
     // As in ASM and MAC, a name that is defined further down is 0 in the first pass. Later passes use its value.
-    if (!read->known) ++program_.unknown_values;
+    if (!read->known) engine_.await_value();
     const std::uint32_t value = read->bits;
     const bool odd = (value & 1U) != 0;
     if (odd != (value != 0) && rules_.if_takes_bit_zero) {
@@ -85,10 +85,9 @@ bool I8080Pass::condition(Directive directive) {
       unexpected("a name");
       return false;
     }
-    const auto found = program_.symbols.find(scoped(token_.value));
-    const bool defined = found != program_.symbols.end() &&
-                         (found->second.external || found->second.defined_in_pass == number_ ||
-                          (found->second.kind == I8080SymbolKind::define && found->second.value));
+    const Symbol* const found = engine_.find(token_.value);
+    const bool defined = engine_.means_external(token_.value) ||
+                         (found != nullptr && (engine_.is_defined(*found) || found->kind == SymbolKind::define));
     return defined == (directive == Directive::if_defined);
   }
   const Arguments arguments = arguments_of(statement_.text, token_.column);
@@ -271,7 +270,7 @@ void I8080Pass::push(std::unique_ptr<I8080Frame> frame) {
   if (frames_.size() >= most_frames) {
     error(0, "more than " + std::to_string(most_frames) + " macros and files inside each other",
           "a recursion that ends");
-    stopped_ = true;
+    engine_.stop();
     return;
   }
   frame->conditionals = conditionals_.size();

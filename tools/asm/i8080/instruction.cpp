@@ -100,7 +100,7 @@ std::optional<std::uint8_t> I8080Pass::field(Operand operand) {
     unexpected(expected_for(operand));
     return std::nullopt;
   }
-  if (alone && is_pair(operand) && !program_.symbols.contains(scoped(first.value))) {
+  if (alone && is_pair(operand) && engine_.find(first.value) == nullptr) {
     if (const auto code = code_of_pair_name(first.value)) {
       advance();
       return code;

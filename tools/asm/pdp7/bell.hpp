@@ -27,37 +27,24 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <optional>
-#include <set>
-#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
-#include "tools/asm/pdp7/pass.hpp"
+#include "tools/asm/pdp7/program.hpp"
 
 namespace sightline::assembler {
 
 inline constexpr std::uint32_t first_bell_base = 4096;  // `..` unless the source sets it (init, d4096)
-// Symbol::form of a relocatable symbol of this dialect, and the mark of a relocatable value of a relative label: `..` is
-// added to both.
-inline constexpr int relocatable_form = 100;
-inline constexpr std::uint32_t relocatable_label = 01000000;
-
-[[nodiscard]] bool bell_letter(char c);
-
-// A name in quotes as a message shows it: the first 40 characters.
-[[nodiscard]] std::string shown_name(std::string_view name);
-
-// Enters the names that the dialect defines besides the machine's.
-void enter_bell_symbols(SymbolTable& symbols);
+inline constexpr Naming bell_naming{.significant = 8, .in_words = "eight", .any_case = false};
 
 // Adds the value of `..` to the relocatable symbols, after the last pass.
 void relocate_bell_symbols(Pdp7Program& program);
 
 class BellPass {
  public:
-  BellPass(std::span<const SourceFile> sources, Pdp7Program& program, int number, bool final);
+  explicit BellPass(Pdp7Program& program) : program_(program), engine_(program.engine) { program_.base.reset(); }
 
   void run();
 
@@ -84,9 +71,10 @@ class BellPass {
   [[nodiscard]] bool label_or_assignment();
   void define_label(std::string_view name, const Position& at);
   void set_again(Symbol& symbol, std::string_view name, const Position& at);
-  void define_relative_label(std::size_t digit, const Number& value);
   void set_relative_label(std::size_t digit, bool forward, bool assigned);
   [[nodiscard]] std::optional<Number> assigned_value();
+  [[nodiscard]] static std::uint32_t packed(const Number& value);
+  [[nodiscard]] static Number unpacked(std::uint32_t packed);
   void assign(std::string_view name, const Position& at);
   void set_location(const Number& value, const Position& at);
   void set_base(const Number& value, const Position& at);
@@ -106,15 +94,12 @@ class BellPass {
   [[nodiscard]] std::uint32_t relocated(const Number& value) const;
   [[nodiscard]] bool location_in_core(const Position& at);
   void emit(std::uint32_t word, const Position& at);
-  Symbol& look_up(std::string_view name, const Position& at);
-  void error(const Position& at, std::string found, std::string expected);
-  void warning(const Position& at, std::string found, std::string expected);
-  void report(Severity severity, const Position& at, std::string found, std::string expected);
+  void error(const Position& at, std::string found, std::string expected) {
+    engine_.error(at, std::move(found), std::move(expected));
+  }
 
-  std::span<const SourceFile> sources_;
   Pdp7Program& program_;
-  int number_;
-  bool final_;
+  Engine& engine_;
   std::string_view text_;
   std::size_t file_ = 0;
   std::size_t at_ = 0;
@@ -125,11 +110,6 @@ class BellPass {
   bool after_left_character_ = false;             // the operand just read was <a
   bool in_location_ = false;                  // reading the new value of `.` or `..`
   std::optional<std::uint32_t> instruction_;  // the first name of a word, if it is one of the machine
-  std::array<std::vector<Number>, 10> relative_;  // definitions of 0: to 9: in this pass
-  std::array<std::optional<Number>, 10> forward_;    // 0f to 9f, where 0f: to 9f: has set them since the last 0: to 9:
-  std::array<std::optional<Number>, 10> backward_;   // 0b to 9b
-  std::map<std::uint32_t, Position> occupied_;
-  std::set<std::string> clashes_;
 };
 
 }  // namespace sightline::assembler

@@ -124,20 +124,20 @@ std::optional<Value> Pdp7Pass::symbol() {
   Symbol& found = look_up(name);
   if (marked) mark_variable(found, name);
   if (found.kind == SymbolKind::undefined) {
-    const bool external = program_.externals.contains(program_.symbols.key(name.text)) && !is_own(name.text);
+    const bool external = engine_.means_external(engine_.naming().key(name.text));
     if (!options_.undefined_are_variables && !external) {  // an undeclared external is reported at its declaration
       error(name.at, "undefined symbol " + describe(name) + dialect_of(name.text),
             "a tag, an assignment, or #" + std::string(name.text));
     }
     return Value::unknown();
   }
-  if (found.several_values && found.defined_in_pass != number_) {
+  if (found.set_again && !engine_.is_defined(found)) {
     error(name.at, "symbol " + describe(name) + " before its first assignment",
           "an earlier assignment, because it is assigned several values");
   }
-  const bool of_source = found.kind == SymbolKind::tag || found.kind == SymbolKind::assigned ||
+  const bool of_source = found.kind == SymbolKind::label || found.kind == SymbolKind::assigned ||
                          found.kind == SymbolKind::variable;
-  if (in_condition_ && of_source && found.defined_in_pass != number_) {
+  if (in_condition_ && of_source && !engine_.is_defined(found)) {
     error(name.at, "symbol " + describe(name) + " in a condition before its definition",
           "a symbol defined before, or by -D");
     return Value::unknown();
@@ -148,17 +148,15 @@ std::optional<Value> Pdp7Pass::symbol() {
   return Value::unknown();
 }
 
-void Pdp7Pass::mark_variable(Symbol& symbol, const Token& at) {
+void Pdp7Pass::mark_variable(Symbol& symbol, const Token& name) {
   if (symbol.kind == SymbolKind::undefined) {
     symbol.kind = SymbolKind::variable;
-    symbol.defined = at.at;
+    symbol.defined = name.at;
   }
   if (symbol.kind != SymbolKind::variable) {
-    error(at.at, "'#' at symbol " + describe(at) + ", which is defined otherwise",
-          "another name for the variable");
-    return;
+    return error(name.at, "'#' at symbol " + describe(name) + ", which is defined otherwise", "another name for the variable");
   }
-  const std::string key = is_own(at.text) ? program_.symbols.own_key(at.text, source_) : program_.symbols.key(at.text);
+  const std::string key = engine_.table_key(engine_.naming().key(name.text));
   if (!placed_variables_.contains(key)) pending_variables_.insert(key);
 }
 
@@ -175,18 +173,22 @@ std::optional<Value> Pdp7Pass::literal() {
   --nesting_;
   if (!content) return std::nullopt;
   if (token_.kind == TokenKind::close) advance();
-  const std::uint32_t index = literal_index(word_of(*content, inside), content->known);
-  if (pools_placed_ >= program_.pool_bases.size()) return Value::unknown();
-  return Value::number((program_.pool_bases[pools_placed_] + index) & image::last_address);
+  const std::uint32_t word = word_of(*content, inside);
+  const std::uint32_t index = literal_index(content->known ? std::optional(word) : std::nullopt);
+  const auto pool = engine_.places(0).next();
+  return pool ? Value::number((*pool + index) & image::last_address) : Value::unknown();
 }
 
-std::uint32_t Pdp7Pass::literal_index(std::uint32_t word, bool known) {
+// An unknown literal may turn out to be equal to another.
+std::uint32_t Pdp7Pass::literal_index(std::optional<std::uint32_t> word) {
   const auto next = static_cast<std::uint32_t>(pool_.size());
-  if (known) {
-    const auto [place, added] = pool_index_.try_emplace(word, next);
+  if (word) {
+    const auto [place, added] = pool_index_.try_emplace(*word, next);
     if (!added) return place->second;
+  } else {
+    engine_.await_value();
   }
-  pool_.push_back({word, known});
+  pool_.push_back(word.value_or(0));
   return next;
 }
 

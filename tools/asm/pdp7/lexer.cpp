@@ -1,7 +1,5 @@
 #include "tools/asm/pdp7/lexer.hpp"
 
-#include "tools/asm/pdp7/characters.hpp"
-
 namespace sightline::assembler {
 namespace {
 

@@ -5,9 +5,13 @@
 #include <cstdint>
 #include <string_view>
 
-#include "tools/asm/source.hpp"
+#include "tools/asm/assembly.hpp"
 
 namespace sightline::assembler {
+
+// Characters that both dialects read alike.
+[[nodiscard]] constexpr bool is_pdp7_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f'; }
+[[nodiscard]] constexpr bool is_pdp7_digit(char c) { return c >= '0' && c <= '9'; }
 
 enum class TokenKind : std::uint8_t {
   name,

@@ -13,41 +13,22 @@ std::string describe(const Token& token) {
     case TokenKind::end: return "the end of the file";
     default: break;
   }
-  std::string text = "'";
-  for (const char c : token.text.substr(0, 40)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= ' ' && byte < 0177) {
-      text += c;
-    } else {
-      text += "\\" + base::octal(byte, 3);
-    }
-  }
-  return text + (token.text.size() > 40 ? "...'" : "'");
+  return in_quotes(token.text);
 }
-
-Pdp7Pass::Pdp7Pass(std::span<const SourceFile> sources, const Options& options, Pdp7Program& program,
-                   int number, bool final)
-    : sources_(sources),
-      options_(options),
-      program_(program),
-      number_(number),
-      final_(final),
-      arithmetic_(options.twos_complement) {}
 
 void Pdp7Pass::run() {
   program_.start.reset();
   Position end;
-  for (std::size_t i = 0; i < sources_.size(); ++i) {
+  for (std::size_t i = 0; i < engine_.sources(); ++i) {
     read_file(i);
     end = token_.at;
   }
-  if (final_) report_undefined_declarations();
+  report_undefined_declarations();
   if (options_.undefined_are_variables) {
-    for (auto& [key, symbol] : program_.symbols) {
-      if (program_.externals.contains(key)) continue;
+    for (auto& [key, symbol] : engine_.symbols()) {
+      if (engine_.is_external(key)) continue;
       if (symbol.kind == SymbolKind::undefined) symbol.kind = SymbolKind::variable;
-      if (symbol.kind == SymbolKind::variable && !placed_variables_.contains(key))
-        pending_variables_.insert(key);
+      if (symbol.kind == SymbolKind::variable && !placed_variables_.contains(key)) pending_variables_.insert(key);
     }
   }
   place_literals(end);
@@ -55,8 +36,8 @@ void Pdp7Pass::run() {
 }
 
 void Pdp7Pass::read_file(std::size_t index) {
-  source_ = index;
-  lexer_ = Pdp7Lexer(sources_[index].text, index);
+  engine_.begin_source(index);
+  lexer_ = Pdp7Lexer(engine_.file(index).text, index);
   if (options_.first_line_is_title) lexer_.skip_line();
   decimal_ = false;
   file_ended_ = false;
@@ -107,7 +88,7 @@ void Pdp7Pass::statement() {
     if (token_.kind == TokenKind::name) {
       const Token next = following();
       if (next.kind == TokenKind::comma && !next.after_blank) {
-        define_tag(token_, location_, 0);
+        define_tag(token_, location_);
         advance();
         advance();
         continue;
@@ -130,6 +111,7 @@ void Pdp7Pass::statement() {
       return;
     }
     if (value) {
+      if (!value->known) engine_.await_value();
       const auto address = address_of(*value, at, "a '/' straight after the word",
                                       " (a comment needs a blank before its '/')");
       location_ = address.value_or(location_);
@@ -140,30 +122,13 @@ void Pdp7Pass::statement() {
   }
 }
 
-void Pdp7Pass::define_tag(Token name, std::uint32_t value, int form) {
+void Pdp7Pass::define_tag(const Token& name, std::optional<std::uint32_t> value, int form) {
   Symbol& symbol = look_up(name);
-  const bool again =
-      symbol.kind == SymbolKind::tag && (symbol.defined != name.at || symbol.defined_in_pass == number_);
-  if (symbol.kind == SymbolKind::permanent) {
-    error(name.at, "permanent symbol " + describe(name) + " as a tag", "another name");
-    return;
-  }
-  if (again || (symbol.kind != SymbolKind::undefined && symbol.kind != SymbolKind::tag)) {
-    const std::string where = symbol.defined.line == 0 ? "the command line"
-                                                       : sources_[symbol.defined.file].name + ":" +
-                                                             std::to_string(symbol.defined.line);
-    error(name.at, "symbol " + describe(name) + ", already defined at " + where, "another name");
-    return;
-  }
-  if (final_ && symbol.value != value) {
-    error(name.at, "tag " + describe(name) + " at another address than in the pass before",
-          "addresses that do not depend on themselves");
-  }
-  symbol.kind = SymbolKind::tag;
-  symbol.defined = name.at;
-  symbol.value = value;
-  symbol.form = form;
-  symbol.defined_in_pass = number_;
+  if (symbol.kind == SymbolKind::permanent)
+    return error(name.at, "permanent symbol " + describe(name) + " as a tag", "another name");
+  if (symbol.kind != SymbolKind::undefined && (symbol.kind != SymbolKind::label || engine_.is_defined(symbol)))
+    return error(name.at, "symbol " + describe(name) + ", already defined at " + engine_.where(symbol.defined), "another name");
+  engine_.define(symbol, SymbolKind::label, value, name.at, form);
 }
 
 // name=expression, defines a tag whose value is the expression and the location: of `cdr=jms, 0` the word `cdr` is a
@@ -177,41 +142,34 @@ bool Pdp7Pass::assign(Token name) {
     skip_statement();
     return false;
   }
+  const auto known_word = [&](const Value& v) {
+    const std::uint32_t word = word_of(v, at);
+    return v.known ? std::optional(word) : std::nullopt;
+  };
   if (token_.kind == TokenKind::comma) {
     std::vector<Remark> remarks;
-    Value here = arithmetic_.combine(*value, Value::number(location_), remarks);
+    const Value here = arithmetic_.combine(*value, Value::number(location_), remarks);
     remark(at, remarks);
-    define_tag(name, word_of(here, at), static_cast<int>(here.form));
+    define_tag(name, known_word(here), static_cast<int>(here.form));
     advance();
     return true;
   }
-  const std::uint32_t word = word_of(*value, at);
-  const bool names_microinstruction = value->bare_number && form_of_instruction(word) == Form::micro;
-  const Form form = names_microinstruction ? Form::micro : value->form;
+  const std::optional<std::uint32_t> word = known_word(*value);
+  const bool names_microinstruction = value->bare_number && form_of_instruction(*word) == Form::micro;
   Symbol& symbol = look_up(name);
   if (symbol.kind == SymbolKind::define) return false;
-  if (symbol.kind == SymbolKind::tag || symbol.kind == SymbolKind::variable) {
+  if (symbol.kind == SymbolKind::label || symbol.kind == SymbolKind::variable) {
     error(name.at,
-          "an assignment to " + describe(name) + ", which is a " +
-              (symbol.kind == SymbolKind::tag ? "tag" : "variable"),
+          "an assignment to " + describe(name) + ", which is a " + (symbol.kind == SymbolKind::label ? "tag" : "variable"),
           "another name");
     return false;
   }
-  if (symbol.kind == SymbolKind::permanent && symbol.value != word) symbol.was_permanent = true;
-  if (symbol.was_permanent) {
-    warning(name.at, "an assignment to permanent symbol " + describe(name), "another name");
-  }
-  const bool first_in_pass = symbol.defined_in_pass != number_;
-  if (!first_in_pass && value->known && symbol.value && symbol.value != word) symbol.several_values = true;
-  if (final_ && first_in_pass && !symbol.several_values && symbol.value != word) {
-    error(name.at, "symbol " + describe(name) + " with another value than in the pass before",
-          "a definition that does not depend on itself");
-  }
-  if (first_in_pass) symbol.defined = name.at;
-  symbol.kind = SymbolKind::assigned;
-  symbol.value = value->known ? std::optional(word) : std::nullopt;
-  symbol.form = static_cast<int>(form);
-  symbol.defined_in_pass = number_;
+  if (symbol.kind == SymbolKind::permanent && symbol.value != word.value_or(0)) symbol.was_permanent = true;
+  if (symbol.was_permanent)
+    engine_.warning(name.at, "an assignment to permanent symbol " + describe(name), "another name");
+  if (engine_.is_defined(symbol) && word && symbol.value && symbol.value != word) symbol.set_again = true;
+  engine_.define(symbol, SymbolKind::assigned, word, name.at,
+                 static_cast<int>(names_microinstruction ? Form::micro : value->form));
   return false;
 }
 
@@ -227,33 +185,21 @@ void Pdp7Pass::emit(std::uint32_t word, const Position& at, std::string generate
           "an origin for the next bank");
   }
   location_by_origin_ = false;
-  if (final_) {
-    const auto [place, added] = occupied_.try_emplace(location_, at);
-    if (!added) {
-      const Position& first = place->second;
-      warning(at,
-              "a second word at " + base::octal(location_, 5) + ", which replaces that of " +
-                  sources_[first.file].name + ":" + std::to_string(first.line),
-              "one word per address");
-    }
-    program_.words.push_back({at, location_, word, std::move(generated_source)});
-  }
+  if (engine_.final()) program_.put(at, location_, word, base::octal(location_, 5), "address", std::move(generated_source));
   ++location_;
 }
 
 void Pdp7Pass::place_literals(const Position& at) {
-  if (program_.pool_bases.size() <= pools_placed_) program_.pool_bases.resize(pools_placed_ + 1);
-  program_.pool_bases[pools_placed_++] = location_;
-  for (const Literal& literal : pool_) emit(literal.word, at, "(" + base::octal(literal.word, 6) + ")");
+  engine_.places(0).add(location_);
+  for (const std::uint32_t literal : pool_) emit(literal, at, "(" + base::octal(literal, 6) + ")");
   pool_.clear();
   pool_index_.clear();
 }
 
 void Pdp7Pass::place_variables(const Position& at) {
   for (const std::string& key : pending_variables_) {
-    Symbol& symbol = program_.symbols.at_key(key);
-    symbol.value = location_;
-    symbol.defined_in_pass = number_;
+    Symbol& symbol = engine_.symbols()[key];
+    engine_.define(symbol, SymbolKind::variable, location_, symbol.defined);
     emit(0, at, symbol.name + ",");
     placed_variables_.insert(key);
   }
@@ -270,41 +216,8 @@ std::string Pdp7Pass::found_here() const {
   return shown;
 }
 
-// Symbols of the machine and of -D are common to all sources.
-bool Pdp7Pass::is_own(std::string_view name) {
-  if (!program_.modules_known || !program_.modules[source_].declares) return false;
-  if (program_.modules[source_].shared.contains(program_.symbols.key(name))) return false;
-  const Symbol* const of_all = program_.symbols.find(name);
-  return of_all == nullptr ||
-         (of_all->kind != SymbolKind::permanent && of_all->kind != SymbolKind::define && !of_all->was_permanent);
-}
-
-Symbol& Pdp7Pass::look_up(const Token& name) {
-  Symbol& symbol = is_own(name.text) ? program_.symbols.own(name.text, source_) : program_.symbols[name.text];
-  if (final_ && (name.text.size() > 6 || symbol.name.size() > 6) &&
-      lower_case(name.text) != lower_case(symbol.name) && clashes_.insert(lower_case(name.text)).second) {
-    warning(name.at, describe(name) + ", the same symbol as '" + symbol.name + "'",
-            "names that differ in their first six characters");
-  }
-  return symbol;
-}
-
-void Pdp7Pass::report(Severity severity, const Position& at, std::string found, std::string expected) {
-  if (!final_) return;
-  program_.diagnostics.emplace_back(at, Diagnostic{severity, sources_[at.file].name, at.line, at.column,
-                                                   std::move(found), std::move(expected)});
-}
-
-void Pdp7Pass::error(const Position& at, std::string found, std::string expected) {
-  report(Severity::error, at, std::move(found), std::move(expected));
-}
-
-void Pdp7Pass::warning(const Position& at, std::string found, std::string expected) {
-  report(Severity::warning, at, std::move(found), std::move(expected));
-}
-
 void Pdp7Pass::remark(const Position& at, std::span<const Remark> remarks) {
-  for (const Remark& r : remarks) report(r.severity, at, r.found, r.expected);
+  for (const Remark& r : remarks) engine_.report(r.severity, at, r.found, r.expected);
 }
 
 }  // namespace sightline::assembler

@@ -84,6 +84,7 @@ void Pdp7Pass::conditional(bool when_zero) {
   in_condition_ = true;
   const std::optional<Value> value = expression();
   in_condition_ = false;
+  if (value && !value->known) engine_.await_value();
   if (token_.kind != TokenKind::less) {
     if (value) error(token_.at, describe(token_), "'<' after the condition");
     return skip_statement();
@@ -145,16 +146,14 @@ void Pdp7Pass::declare(bool external) {
     if (look_up(token_).kind == SymbolKind::permanent)
       error(token_.at, "permanent symbol " + describe(token_), "another name");
     declared_.emplace_back(token_, external);
-    Pdp7Program::Module& module = program_.modules[source_];
-    module.declares = true;
-    module.shared.insert(program_.symbols.key(token_.text));
-    if (external) program_.externals.insert(program_.symbols.key(token_.text));
+    engine_.declare(engine_.naming().key(token_.text), external);
   }
 }
 
 void Pdp7Pass::report_undefined_declarations() {
   for (const auto& [name, external] : declared_) {
-    if (program_.symbols[name.text].kind != SymbolKind::undefined) continue;
+    const Symbol* const symbol = engine_.find_in(engine_.naming().key(name.text), std::nullopt);
+    if (symbol != nullptr && symbol->kind != SymbolKind::undefined) continue;
     error(name.at, (external ? "external symbol " : "internal symbol ") + describe(name) + ", which no source defines",
           external ? "the source that defines it on the command line, too: there is no linker" : "its definition");
   }
@@ -172,7 +171,7 @@ void Pdp7Pass::end_of_file() {
   if (!blocks_.empty()) return;
   while (token_.kind == TokenKind::newline || token_.kind == TokenKind::semicolon) advance();
   if (token_.kind != TokenKind::end) {
-    warning(token_.at, describe(token_) + " after START, which is not read",
+    engine_.warning(token_.at, describe(token_) + " after START, which is not read",
             "the end of the file");
   }
 }

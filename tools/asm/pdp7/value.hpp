@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/asm/diagnostic.hpp"
+#include "tools/asm/assembly.hpp"
 
 namespace sightline::assembler {
 

@@ -131,8 +131,8 @@ TEST(BellLanguage, RelocatableWordsBeginAt4096) {
   EXPECT_EQ(messages(a), Texts{});
   EXPECT_EQ(words(a, 010000), (Words{0210000, 1, 2, 0200005}));
   EXPECT_EQ(words(a, 020), (Words{010002}));
-  EXPECT_EQ(a.value_of("b"), core::Word18(010002));
-  EXPECT_EQ(a.value_of("x"), core::Word18(5));
+  EXPECT_EQ(a.value_of("b"), 010002U);
+  EXPECT_EQ(a.value_of("x"), 5U);
   EXPECT_EQ(words(bell("..=0100\na: lac a; lac .."), 0100), (Words{0200100, 0200100}));
 }
 
@@ -180,7 +180,7 @@ TEST(BellLanguage, LabelsHideInstructions) {
 
 TEST(BellLanguage, DefinesOverrideAssignments) {
   Options options = bell_options();
-  options.defines = {{"t", core::Word18(5)}};
+  options.defines = {{"t", 5}};
   EXPECT_EQ(words(assemble("..=0\nt=3\nt", options)), (Words{5}));
 }
 
