@@ -15,7 +15,7 @@ constexpr std::size_t most_errors = 1000;  // the same limit for warnings
 constexpr std::size_t most_characters_shown = 40;
 
 std::string in_radix(std::uint32_t value, unsigned radix, unsigned digits) {
-  return radix == 8 ? base::octal(value, static_cast<int>(digits)) : image::hexadecimal(value, digits);
+  return radix == 8 ? base::octal(value, digits) : image::hexadecimal(value, digits);
 }
 
 // The separator is a line break, which no name contains.
@@ -72,10 +72,9 @@ void Engine::run(const std::function<void()>& enter_names, const std::function<v
     places_ = {};
     enter_names();
   }
-  if (settled) unsettled_.reset();
   final_ = true;
   read_once(read);
-  report_unsettled();
+  report_unsettled(settled);
 }
 
 void Engine::read_once(const std::function<void()>& read) {
@@ -88,33 +87,43 @@ void Engine::read_once(const std::function<void()>& read) {
 // A name that only the pass before defined, because a condition had another value in it, is undefined again. True if a name
 // or place differs from the pass before.
 bool Engine::end_layout_pass() {
-  unsettled_.reset();
+  bool changed = false;
   for (auto& [key, symbol] : symbols_) {
     if (symbol.defined_in_pass != pass_ && symbol.defined_in_pass != 0) {
       symbol.kind = SymbolKind::undefined;
       symbol.value.reset();
       symbol.defined_in_pass = 0;
     }
-    if (symbol.value != symbol.before && (!unsettled_ || symbol.defined < *unsettled_)) unsettled_ = symbol.defined;
+    changed = changed || symbol.value != symbol.before;
     symbol.before = symbol.value;
   }
-  bool places_differ = false;
-  for (Places& places : places_) places_differ = places.end_pass() || places_differ;
-  return unsettled_.has_value() || places_differ;
+  return end_places() || changed;
 }
 
-// Only the first: the others follow from it.
-void Engine::report_unsettled() {
+bool Engine::end_places() {
+  bool differ = false;
+  for (Places& places : places_) differ = places.end_pass() || differ;
+  return differ;
+}
+
+// Only the first: the others follow from it. A language may define names in the last pass alone or in the others alone, so
+// that this is an error only where the layout passes did so, too.
+void Engine::report_unsettled(bool settled) {
   const Symbol* first = nullptr;
   for (const auto& [key, symbol] : symbols_) {
-    if (is_defined(symbol) && symbol.value != symbol.before && (first == nullptr || symbol.defined < first->defined)) first = &symbol;
+    const bool moved = is_defined(symbol) && symbol.value && symbol.before && symbol.value != symbol.before;
+    const bool of_source = symbol.kind != SymbolKind::permanent && symbol.kind != SymbolKind::define;
+    const bool comes_and_goes = !settled && of_source && is_defined(symbol) != symbol.before.has_value();
+    if ((moved || comes_and_goes) && (first == nullptr || symbol.defined < first->defined)) first = &symbol;
   }
   const std::string expected = "a definition that does not depend on itself";
-  if (first != nullptr && first->value && first->before) {
+  if (first != nullptr && first->value && first->before && is_defined(*first)) {
     error(first->defined, in_quotes(first->name) + " = " + shown(*first->value) + ", in the pass before " + shown(*first->before) + " (phase error)",
           expected);
-  } else if (unsettled_ && errors_ == 0) {
-    error(*unsettled_, "a name that each pass changes", expected);
+  } else if (first != nullptr && errors_ == 0) {
+    error(first->defined, in_quotes(first->name) + ", which only every second pass defines", expected);
+  } else if (end_places() && errors_ == 0) {
+    error({0, 1, 1}, "literals or labels at other addresses than in the pass before", "addresses that do not depend on themselves");
   }
 }
 

@@ -161,7 +161,8 @@ class Engine {
 
   void read_once(const std::function<void()>& read);
   [[nodiscard]] bool end_layout_pass();
-  void report_unsettled();
+  [[nodiscard]] bool end_places();
+  void report_unsettled(bool settled);
 
   Naming naming_;
   unsigned radix_;
@@ -174,7 +175,6 @@ class Engine {
   bool final_ = false;
   bool awaits_value_ = false;
   bool stopped_ = false;
-  std::optional<Position> unsettled_;  // a definition that the last layout pass changed
   std::unordered_map<std::string, Symbol> symbols_;
   std::vector<Module> modules_;  // of the sources
   bool names_are_local_ = false;

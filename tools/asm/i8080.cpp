@@ -36,7 +36,7 @@ base::Result<Define> parse_i8080_define(std::string_view text) {
   if (name.empty() || end_of_name(name, 0) != name.size())
     return base::bad_input("found " + quoted(name) + ", expected a name");
   if (equals == std::string_view::npos) return base::bad_input("found no '=', expected NAME=VALUE");
-  const bool reserved = Vocabulary().find(folded(name)) != nullptr;
+  const bool reserved = find_word(folded(name)) != nullptr;
   if (reserved) return base::bad_input("found " + quoted(name) + ", expected a name that is not reserved");
   const bool negative = text.substr(equals + 1).starts_with('-');
   I8080Lexer lexer(text, equals + (negative ? 2 : 1));

@@ -8,7 +8,7 @@
 #include "host/base/number.hpp"
 #include "host/base/result.hpp"
 #include "tools/asm/pdp7/bell.hpp"
-#include "tools/asm/pdp7/pass.hpp"
+#include "tools/asm/pdp7/dec.hpp"
 
 namespace sightline::assembler {
 namespace {
@@ -100,7 +100,7 @@ Assembly assemble_pdp7(std::span<const SourceFile> sources, const Options& optio
   program.engine.run([&] { enter_names(program.engine, options); },
                      [&] {
                        if (bell) return BellPass(program).run();
-                       Pdp7Pass(options, program).run();
+                       DecPass(options, program).run();
                      });
   if (bell) relocate_bell_symbols(program);
   program.engine.finish(assembly, true);

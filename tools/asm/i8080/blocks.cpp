@@ -132,7 +132,7 @@ void I8080Pass::define_macro(const Head& head) {
   Definition definition;
   definition.macro.name = std::string(head.label);
   definition.macro.defined = place(0);
-  const Word* const reserved = program_.vocabulary.find(key_of(head.label, rules_));
+  const Word* const reserved = find_word(key_of(head.label, rules_));
   if (head.label.empty()) {
     error(head.operation_at, "MACRO without a name", "NAME before it");
   } else if (reserved != nullptr) {

@@ -127,7 +127,7 @@ void I8080Pass::warn_about_undefined_publics() {
 
 void I8080Pass::enter(std::string_view name, std::size_t at, SymbolKind kind, const I8080Value& value, bool any_word) {
   const std::string key = key_of(name, rules_);
-  const Word* const reserved = program_.vocabulary.find(key);
+  const Word* const reserved = find_word(key);
   const bool precedes = reserved != nullptr && reserved->kind == WordKind::operation && is_prefix(reserved->operation);
   if (reserved != nullptr && reserved->kind != WordKind::directive && (!any_word || precedes)) {
     return error(at, quoted(name), "a name that is no register, operator or instruction");

@@ -30,7 +30,6 @@ inline constexpr int pattern_form = 2;
 struct I8080Program {
   I8080Program(std::span<const SourceFile> sources, const Naming& naming) : engine(sources, naming, 16, 4) {}
 
-  Vocabulary vocabulary;
   Engine engine;
   std::vector<ListingLine> listing;
   std::optional<std::uint16_t> start;

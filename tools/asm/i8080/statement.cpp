@@ -29,7 +29,7 @@ void I8080Pass::statement() {
 }
 
 const Word* I8080Pass::word(const std::string& name, WordKind kind) const {
-  const Word* found = program_.vocabulary.find(name);
+  const Word* found = find_word(name);
   return found != nullptr && found->kind == kind ? found : nullptr;
 }
 
@@ -149,7 +149,7 @@ bool I8080Pass::is_label_before(const Word* first, const std::string& second) co
 }
 
 void I8080Pass::execute(const Head& head) {
-  const Word* const known = program_.vocabulary.find(head.operation);
+  const Word* const known = find_word(head.operation);
   const auto macro = macros_.find(head.operation);
   const bool is_directive = known != nullptr && known->kind == WordKind::directive && macro == macros_.end();
   const bool names_something =

@@ -6,7 +6,7 @@
 #include "emulators/core/word.hpp"
 #include "emulators/pdp7/isa.hpp"
 #include "host/base/number.hpp"
-#include "tools/asm/pdp7/pass.hpp"
+#include "tools/asm/pdp7/dec.hpp"
 #include "tools/image/core_image.hpp"
 
 namespace sightline::assembler {

@@ -1,5 +1,4 @@
-// The dialect of Bell Laboratories' assembler `as` of 1970: one pass over all sources (pdp7/pass.hpp describes the
-// passes).
+// One pass over all sources in the dialect of Bell Laboratories' assembler `as` of 1970.
 //
 //   label:   1: jmp 1b; jmp 2f     name = expression     . = . + 10      " comment to the end of the line
 //   lac x    dac x i    dac i 8    spa cla    -1    sys open; name; 0    <ab>    <a 012    a>
@@ -21,11 +20,11 @@
 // table are defined, and `sys`, which is `cal i`; a source may define them again. It must define the names of system
 // calls.
 //
-// Stricter than as.s, where that would make other words without a message: an operand that changes the instruction, a number above 18 bits, 8 and 9 in an octal number, two operators in
-// succession, a comma (as.s takes it for a blank), `..` set after the first word or label.
+// Stricter than as.s, where that would make other words without a message: an operand that changes the instruction, a number
+// above 18 bits, 8 and 9 in an octal number, two operators in succession, a comma (as.s takes it for a blank), `..` set after
+// the first word or label.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -107,7 +106,7 @@ class BellPass {
   std::size_t line_start_ = 0;
   Number location_{0, 1, true};
   bool base_used_ = false;                    // a word or a label used `..`, which must not change any more
-  bool after_left_character_ = false;             // the operand just read was <a
+  bool after_left_character_ = false;         // the operand just read was <a
   bool in_location_ = false;                  // reading the new value of `.` or `..`
   std::optional<std::uint32_t> instruction_;  // the first name of a word, if it is one of the machine
 };

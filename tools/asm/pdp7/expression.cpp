@@ -2,7 +2,7 @@
 
 #include "emulators/core/word.hpp"
 #include "host/base/number.hpp"
-#include "tools/asm/pdp7/pass.hpp"
+#include "tools/asm/pdp7/dec.hpp"
 
 namespace sightline::assembler {
 namespace {
@@ -19,7 +19,7 @@ std::string dialect_of(std::string_view name) {
 
 }  // namespace
 
-bool Pdp7Pass::starts_a_term() const {
+bool DecPass::starts_a_term() const {
   switch (token_.kind) {
     case TokenKind::name:
     case TokenKind::number:
@@ -30,7 +30,7 @@ bool Pdp7Pass::starts_a_term() const {
   }
 }
 
-std::optional<Value> Pdp7Pass::expression() {
+std::optional<Value> DecPass::expression() {
   std::optional<Value> left = term();
   while (left) {
     const Position at = token_.at;
@@ -41,19 +41,17 @@ std::optional<Value> Pdp7Pass::expression() {
     if (is_operator) advance();
     const std::optional<Value> right = term();
     if (!right) return std::nullopt;
-    std::vector<Remark> remarks;
     switch (kind) {
       case TokenKind::minus: left = arithmetic_.difference(*left, *right); break;
       case TokenKind::bang: left = arithmetic_.logical(*left, *right, false); break;
       case TokenKind::ampersand: left = arithmetic_.logical(*left, *right, true); break;
-      default: left = arithmetic_.combine(*left, *right, remarks); break;
+      default: left = arithmetic_.combine(*left, *right, at); break;
     }
-    remark(at, remarks);
   }
   return left;
 }
 
-std::optional<Value> Pdp7Pass::term() {
+std::optional<Value> DecPass::term() {
   bool negative = false;
   bool sign = false;
   for (; token_.kind == TokenKind::plus || token_.kind == TokenKind::minus; advance()) {
@@ -66,7 +64,7 @@ std::optional<Value> Pdp7Pass::term() {
   return value;
 }
 
-std::optional<Value> Pdp7Pass::primary() {
+std::optional<Value> DecPass::primary() {
   switch (token_.kind) {
     case TokenKind::number: return number();
     case TokenKind::name:
@@ -80,7 +78,7 @@ std::optional<Value> Pdp7Pass::primary() {
   return std::nullopt;
 }
 
-std::optional<Value> Pdp7Pass::number() {
+std::optional<Value> DecPass::number() {
   const Token token = token_;
   advance();
   const char highest = decimal_ ? '9' : '7';
@@ -108,7 +106,7 @@ std::optional<Value> Pdp7Pass::number() {
 }
 
 // name, #name or name#, with # or $
-std::optional<Value> Pdp7Pass::symbol() {
+std::optional<Value> DecPass::symbol() {
   bool marked = token_.kind == TokenKind::hash;
   if (marked) advance();
   if (token_.kind != TokenKind::name) {
@@ -148,7 +146,7 @@ std::optional<Value> Pdp7Pass::symbol() {
   return Value::unknown();
 }
 
-void Pdp7Pass::mark_variable(Symbol& symbol, const Token& name) {
+void DecPass::mark_variable(Symbol& symbol, const Token& name) {
   if (symbol.kind == SymbolKind::undefined) {
     symbol.kind = SymbolKind::variable;
     symbol.defined = name.at;
@@ -160,7 +158,7 @@ void Pdp7Pass::mark_variable(Symbol& symbol, const Token& name) {
   if (!placed_variables_.contains(key)) pending_variables_.insert(key);
 }
 
-std::optional<Value> Pdp7Pass::literal() {
+std::optional<Value> DecPass::literal() {
   const Position at = token_.at;
   if (nesting_ == deepest_literal) {
     error(at, "a literal nested more than " + std::to_string(deepest_literal) + " deep", "fewer parentheses");
@@ -180,7 +178,7 @@ std::optional<Value> Pdp7Pass::literal() {
 }
 
 // An unknown literal may turn out to be equal to another.
-std::uint32_t Pdp7Pass::literal_index(std::optional<std::uint32_t> word) {
+std::uint32_t DecPass::literal_index(std::optional<std::uint32_t> word) {
   const auto next = static_cast<std::uint32_t>(pool_.size());
   if (word) {
     const auto [place, added] = pool_index_.try_emplace(*word, next);
@@ -192,14 +190,7 @@ std::uint32_t Pdp7Pass::literal_index(std::optional<std::uint32_t> word) {
   return next;
 }
 
-std::uint32_t Pdp7Pass::word_of(const Value& value, const Position& at) {
-  std::vector<Remark> remarks;
-  const std::uint32_t word = arithmetic_.word(value, location_, remarks);
-  remark(at, remarks);
-  return word;
-}
-
-std::optional<std::uint32_t> Pdp7Pass::address_of(const Value& value, const Position& at,
+std::optional<std::uint32_t> DecPass::address_of(const Value& value, const Position& at,
                                                   std::string_view what, const char* hint) {
   if (!value.known) return std::nullopt;
   const std::uint32_t address = word_of(value, at);

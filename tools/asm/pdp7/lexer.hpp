@@ -42,9 +42,9 @@ struct Token {
   bool after_blank = false;
 };
 
-class Pdp7Lexer {
+class DecLexer {
  public:
-  Pdp7Lexer(std::string_view text, std::size_t file) : text_(text), file_(file) {}
+  DecLexer(std::string_view text, std::size_t file) : text_(text), file_(file) {}
 
   [[nodiscard]] Token next();
   // TEXT: the characters between the next character that is not blank and its second occurrence on the line. The token

@@ -18,10 +18,10 @@
 
 namespace sightline::assembler {
 
-class Pdp7Pass {
+class DecPass {
  public:
-  Pdp7Pass(const Options& options, Pdp7Program& program)
-      : options_(options), program_(program), engine_(program.engine), arithmetic_(options.twos_complement) {}
+  DecPass(const Options& options, Pdp7Program& program)
+      : options_(options), program_(program), engine_(program.engine), arithmetic_(options.twos_complement, program.engine) {}
 
   void run();
 
@@ -53,7 +53,7 @@ class Pdp7Pass {
   [[nodiscard]] std::optional<Value> literal();
   [[nodiscard]] bool starts_a_term() const;
   [[nodiscard]] std::uint32_t literal_index(std::optional<std::uint32_t> word);
-  [[nodiscard]] std::uint32_t word_of(const Value& value, const Position& at);
+  [[nodiscard]] std::uint32_t word_of(const Value& value, const Position& at) const { return arithmetic_.word(value, location_, at); }
   [[nodiscard]] std::optional<std::uint32_t> address_of(const Value& value, const Position& at,
                                                         std::string_view what, const char* hint = "");
   void mark_variable(Symbol& symbol, const Token& name);
@@ -69,13 +69,12 @@ class Pdp7Pass {
   void error(const Position& at, std::string found, std::string expected) {
     engine_.error(at, std::move(found), std::move(expected));
   }
-  void remark(const Position& at, std::span<const Remark> remarks);
 
   const Options& options_;
   Pdp7Program& program_;
   Engine& engine_;
   Arithmetic arithmetic_;
-  Pdp7Lexer lexer_{"", 0};
+  DecLexer lexer_{"", 0};
   Token token_;
   std::uint32_t location_ = 0;
   bool location_by_origin_ = true;

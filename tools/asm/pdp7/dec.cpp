@@ -1,4 +1,4 @@
-#include "tools/asm/pdp7/pass.hpp"
+#include "tools/asm/pdp7/dec.hpp"
 
 #include <utility>
 
@@ -16,7 +16,7 @@ std::string describe(const Token& token) {
   return in_quotes(token.text);
 }
 
-void Pdp7Pass::run() {
+void DecPass::run() {
   program_.start.reset();
   Position end;
   for (std::size_t i = 0; i < engine_.sources(); ++i) {
@@ -35,9 +35,9 @@ void Pdp7Pass::run() {
   place_variables(end);
 }
 
-void Pdp7Pass::read_file(std::size_t index) {
+void DecPass::read_file(std::size_t index) {
   engine_.begin_source(index);
-  lexer_ = Pdp7Lexer(engine_.file(index).text, index);
+  lexer_ = DecLexer(engine_.file(index).text, index);
   if (options_.first_line_is_title) lexer_.skip_line();
   decimal_ = false;
   file_ended_ = false;
@@ -52,22 +52,22 @@ void Pdp7Pass::read_file(std::size_t index) {
     error(opened, "'<' that is never closed", "'>' before the end of the file");
 }
 
-Token Pdp7Pass::following() const {
-  Pdp7Lexer ahead = lexer_;
+Token DecPass::following() const {
+  DecLexer ahead = lexer_;
   return ahead.next();
 }
 
-bool Pdp7Pass::at_end_of_statement() const {
+bool DecPass::at_end_of_statement() const {
   return token_.kind == TokenKind::newline || token_.kind == TokenKind::semicolon ||
          token_.kind == TokenKind::end || token_.kind == TokenKind::greater;
 }
 
-void Pdp7Pass::skip_statement() {
+void DecPass::skip_statement() {
   while (!at_end_of_statement()) advance();
 }
 
 // Statements are separated by the end of a line, `;`, or the `>` of an open conditional.
-void Pdp7Pass::end_statement() {
+void DecPass::end_statement() {
   if (!at_end_of_statement()) {
     error(token_.at, found_here(), "an operator or the end of the statement");
     skip_statement();
@@ -83,7 +83,7 @@ void Pdp7Pass::end_statement() {
   if (token_.kind == TokenKind::newline || token_.kind == TokenKind::semicolon) advance();
 }
 
-void Pdp7Pass::statement() {
+void DecPass::statement() {
   while (!at_end_of_statement()) {
     if (token_.kind == TokenKind::name) {
       const Token next = following();
@@ -122,7 +122,7 @@ void Pdp7Pass::statement() {
   }
 }
 
-void Pdp7Pass::define_tag(const Token& name, std::optional<std::uint32_t> value, int form) {
+void DecPass::define_tag(const Token& name, std::optional<std::uint32_t> value, int form) {
   Symbol& symbol = look_up(name);
   if (symbol.kind == SymbolKind::permanent)
     return error(name.at, "permanent symbol " + describe(name) + " as a tag", "another name");
@@ -133,7 +133,7 @@ void Pdp7Pass::define_tag(const Token& name, std::optional<std::uint32_t> value,
 
 // name=expression, defines a tag whose value is the expression and the location: of `cdr=jms, 0` the word `cdr` is a
 // call. The form is that of the Cambridge assembler of 1972.
-bool Pdp7Pass::assign(Token name) {
+bool DecPass::assign(Token name) {
   advance();
   advance();
   const Position at = token_.at;
@@ -147,9 +147,7 @@ bool Pdp7Pass::assign(Token name) {
     return v.known ? std::optional(word) : std::nullopt;
   };
   if (token_.kind == TokenKind::comma) {
-    std::vector<Remark> remarks;
-    const Value here = arithmetic_.combine(*value, Value::number(location_), remarks);
-    remark(at, remarks);
+    const Value here = arithmetic_.combine(*value, Value::number(location_), at);
     define_tag(name, known_word(here), static_cast<int>(here.form));
     advance();
     return true;
@@ -173,7 +171,7 @@ bool Pdp7Pass::assign(Token name) {
   return false;
 }
 
-void Pdp7Pass::emit(std::uint32_t word, const Position& at, std::string generated_source) {
+void DecPass::emit(std::uint32_t word, const Position& at, std::string generated_source) {
   if (location_ > image::last_address) {
     if (location_ == image::last_address + 1)
       error(at, "a word after address 77777", "the end of the program");
@@ -189,14 +187,14 @@ void Pdp7Pass::emit(std::uint32_t word, const Position& at, std::string generate
   ++location_;
 }
 
-void Pdp7Pass::place_literals(const Position& at) {
+void DecPass::place_literals(const Position& at) {
   engine_.places(0).add(location_);
   for (const std::uint32_t literal : pool_) emit(literal, at, "(" + base::octal(literal, 6) + ")");
   pool_.clear();
   pool_index_.clear();
 }
 
-void Pdp7Pass::place_variables(const Position& at) {
+void DecPass::place_variables(const Position& at) {
   for (const std::string& key : pending_variables_) {
     Symbol& symbol = engine_.symbols()[key];
     engine_.define(symbol, SymbolKind::variable, location_, symbol.defined);
@@ -206,7 +204,7 @@ void Pdp7Pass::place_variables(const Position& at) {
   pending_variables_.clear();
 }
 
-std::string Pdp7Pass::found_here() const {
+std::string DecPass::found_here() const {
   const std::string shown = describe(token_);
   if (token_.kind == TokenKind::less) return shown + ", which begins a character in --dialect bell";
   if (token_.kind == TokenKind::comma) return shown + ", which is this location in the Cambridge dialect";
@@ -214,10 +212,6 @@ std::string Pdp7Pass::found_here() const {
   if (token_.text == "\"") return shown + ", which begins a comment in --dialect bell";
   if (token_.text == ":") return shown + ", which ends a label in --dialect bell";
   return shown;
-}
-
-void Pdp7Pass::remark(const Position& at, std::span<const Remark> remarks) {
-  for (const Remark& r : remarks) engine_.report(r.severity, at, r.found, r.expected);
 }
 
 }  // namespace sightline::assembler
