@@ -27,9 +27,7 @@
 #include "host/base/result.hpp"
 #include "host/machines/probe.hpp"
 #include "host/machines/state.hpp"
-#include "tools/asm/diagnostic.hpp"
-#include "tools/asm/listing.hpp"
-#include "tools/asm/source.hpp"
+#include "tools/asm/assembly.hpp"
 
 namespace sightline::machines {
 
