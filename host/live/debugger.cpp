@@ -412,6 +412,7 @@ Halted Debugger::run(const Goal& goal) {
   std::replace(name.begin(), name.end(), '_', ' ');
   std::string text = "stopped by " + name;
   if (!stop.complaint.empty()) text += "\n" + stop.complaint;
+  if (machine_.halted() && machine_.instructions() == begun) text += "\nonly an interrupt, `go ADDRESS`, `start` or `reset` ends it";
   return {Halted::Why::machine, 0, text, stop};
 }
 

@@ -45,38 +45,36 @@ std::optional<Stop> IdleLoop::look(const Limits& limits) {
     look_.most = std::max(look_.most, 2 * look_.remember_at);
     look_.compared = 0;
   }
-  std::optional<Stop> stop;
-  {
-    const ReturnsAtPolls returns(machine_);
-    while (!stop && machine_.wants_key() && !machine_.waits_for_key()) {
-      stop = machine_.run(limits, false);
-      if (!machine_.take_poll()) continue;
-      look_.polled = true;
-      const bool back = is_back();
-      if (!back && look_.compared < look_.most) continue;
-      end_look(back);
-      return stop;
-    }
-  }
-  if (stop && !stop->at_until) return stop;
   if (machine_.halted()) {
     end_look(true);  // the halt ends at a deadline
-  } else if (!look_.polled && machine_.ticks() - look_.begun >= second / looks_without_poll_a_second) {
-    if (auto at_step = step(limits)) return at_step;
+    return std::nullopt;
   }
-  return stop;
+  if (!look_.polled && machine_.ticks() - look_.begun >= second / looks_without_poll_a_second) return step(limits);
+  const ReturnsAtPolls returns(machine_);
+  while (machine_.wants_key() && !machine_.waits_for_key()) {
+    auto stop = machine_.run(limits, false);
+    if (machine_.take_poll()) {
+      look_.polled = true;
+      const bool back = is_back();
+      if (back || look_.compared >= look_.most) {
+        end_look(back);
+        return stop;
+      }
+    }
+    if (stop) return stop;
+  }
+  return std::nullopt;
 }
 
 // Compares the states between instructions.
 std::optional<Stop> IdleLoop::step(const Limits& limits) {
   Limits one = limits;
-  one.until = Limits{}.until;
   bool back = false;
   for (int n = 0; n < most_states && !back; ++n) {
-    one.instructions = machine_.instructions() + 1;
-    if (one.instructions > limits.instructions) return std::nullopt;
-    const auto stop = machine_.run(one, false);
-    if (stop && stop->name != "instruction_limit") return stop;
+    one.instructions = std::min(limits.instructions, machine_.instructions() + 1);
+    auto stop = machine_.run(one, false);
+    const bool only_step_over = stop && stop->name == "instruction_limit" && machine_.instructions() < limits.instructions;
+    if (stop && !only_step_over) return stop;
     if (machine_.halted() || machine_.waits_for_key()) return std::nullopt;
     back = is_back();
   }

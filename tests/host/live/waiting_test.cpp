@@ -413,6 +413,7 @@ TEST(Waiting, ANewPcLeavesAHalt) {
   EXPECT_EQ(run(), "halt");
   EXPECT_EQ(machine.get(a), 0x66U);
   EXPECT_EQ(machine.instructions(), 5U);
+  EXPECT_EQ(machine.ticks(), 7 + 7 + 7 + 7 + 7);
   machine.set(inte, 1);
   machine.reset();
   EXPECT_FALSE(machine.halted());
