@@ -49,7 +49,7 @@ class I8080Program {
   [[nodiscard]] std::uint16_t at(std::string_view label) const {
     const auto value = assembly_.value_of(label);
     if (!value) base::give_up(fmt::format("{} has no label {}", called_, label));
-    return *value;
+    return static_cast<std::uint16_t>(*value);
   }
 
  private:

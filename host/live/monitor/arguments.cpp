@@ -91,28 +91,37 @@ std::int64_t Reader::cycles(std::string_view text) const {
   return static_cast<std::int64_t>(std::min(text.empty() ? 1 : count(text), most)) * debugger_.description().ticks_per_cycle;
 }
 
+std::optional<std::int64_t> Reader::time(std::string_view text) const {
+  double unit = 0;
+  for (const auto& [name, seconds] :
+       {std::pair<std::string_view, double>{"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}, {"s", 1.0}}) {
+    if (unit == 0 && text.ends_with(name)) {
+      unit = seconds;
+      text.remove_suffix(name.size());
+    }
+  }
+  const auto number = base::fixed_number(text, 0, 1e12);
+  if (unit == 0 || !number) return std::nullopt;
+  return static_cast<std::int64_t>(std::llround(
+      std::min(*number * unit * static_cast<double>(debugger_.machine().ticks_per_second()), 4e18)));
+}
+
+std::optional<std::int64_t> Reader::limit(std::string_view arguments) const {
+  if (arguments.empty()) return std::nullopt;
+  std::string_view rest = arguments;
+  const std::string word = base::lower_case(take_part(rest));
+  const auto limit = time(rest);
+  if (word != "within" || !limit) throw base::usage_error(fmt::format("found \"{}\", expected within TIME, such as within 90s", arguments));
+  return limit;
+}
+
 Goal Reader::goal(std::string_view arguments) const {
   if (arguments.empty()) return {};
   std::string_view rest = arguments;
   const std::string word = base::lower_case(take_part(rest));
   if ((word != "until" && word != "for") || rest.empty())
     throw base::usage_error(fmt::format("found \"{}\", expected until or for with a time, an expression or a count", arguments));
-  // "0.5s", "20ms", "100us"
-  const auto ticks = [&](std::string_view text) -> std::optional<std::int64_t> {
-    double unit = 0;
-    for (const auto& [name, seconds] :
-         {std::pair<std::string_view, double>{"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}, {"s", 1.0}}) {
-      if (unit == 0 && text.ends_with(name)) {
-        unit = seconds;
-        text.remove_suffix(name.size());
-      }
-    }
-    const auto number = base::fixed_number(text, 0, 1e12);
-    if (unit == 0 || !number) return std::nullopt;
-    return static_cast<std::int64_t>(std::llround(
-        std::min(*number * unit * static_cast<double>(debugger_.machine().ticks_per_second()), 4e18)));
-  };
-  if (const auto time = ticks(rest)) return {.until = word == "for" ? debugger_.machine().ticks() + *time : *time};
+  if (const auto ticks = time(rest)) return {.until = word == "for" ? debugger_.machine().ticks() + *ticks : *ticks};
   if (word == "until") {
     static_cast<void>(value(rest));
     return {.condition = std::string(rest)};
