@@ -70,11 +70,11 @@ class AltairSerial : public core::PortDevice, public core::Terminal, public core
   [[nodiscard]] std::uint8_t read(std::uint8_t port, core::TStateInstant at) {
     advance(at);
     if ((port & 1U) == 0) {
-      polled_ = polled_ || at_end();
+      if (at_end()) polls_.add();
       return status();
     }
     if (!key_is_there()) {
-      polled_ = polled_ || at_end();
+      if (at_end()) polls_.add();
       return last_read_;
     }
     if (tape_read_ < tape_.size()) {
@@ -115,17 +115,20 @@ class AltairSerial : public core::PortDevice, public core::Terminal, public core
   }
   [[nodiscard]] bool interrupt() const {
     const bool sends = board_ == AltairBoard::sio ? (control_ & 2U) != 0 : (control_ & 0x60U) == 0x20;
-    const bool receives = board_ == AltairBoard::sio ? (control_ & 1U) != 0 : (control_ & 0x80U) != 0;
-    return (receives && key_is_there()) || (sends && !holding_);
+    return (receives() && key_is_there()) || (sends && !holding_);
   }
 
   // The terminal's side. A typed key is sent as soon as the line and the program allow.
   void type(std::uint8_t code) override {
     keys_.push_back(code);
-    polled_ = false;
+    polls_.forget();
   }
-  // The program has read all keys and polled for another.
-  [[nodiscard]] bool wants_key() const override { return at_end() && polled_; }
+  [[nodiscard]] bool wants_key() const override { return at_end() && polls_.any(); }
+  [[nodiscard]] bool interrupts_for_key() const override { return at_end() && receives(); }
+  [[nodiscard]] core::TStateInstant quiet_since() const override {
+    return std::max(next_key_, holding_ ? line_free_ + character_ : line_free_);
+  }
+  void tell_polls(core::KeyPollListener* listener) override { polls_.tell(listener); }
   // The characters sent since the last call.
   [[nodiscard]] std::vector<std::uint8_t> take_printed() override { return std::exchange(printed_, {}); }
 
@@ -148,7 +151,7 @@ class AltairSerial : public core::PortDevice, public core::Terminal, public core
     visit("holding", holding_);
     visit("line_free", line_free_);
     visit("next_key", next_key_);
-    visit("asked", polled_);
+    visit("asked", polls_.state());
     visit.list("keys", keys_, [&visit](std::uint8_t& key) { visit("key", key); });
     visit.input("tape", tape_);
     visit.count("tape_read", tape_read_, tape_.size());
@@ -167,6 +170,10 @@ class AltairSerial : public core::PortDevice, public core::Terminal, public core
     if (line_.has_tape) punched_.push_back(character);
     ++counts_.sent;
     line_free_ = begins + character_;
+  }
+  // The receive interrupt is enabled.
+  [[nodiscard]] bool receives() const {
+    return board_ == AltairBoard::sio ? (control_ & 1U) != 0 : (control_ & 0x80U) != 0;
   }
   // Nothing is left to be received.
   [[nodiscard]] bool at_end() const { return keys_.empty() && tape_read_ == tape_.size(); }
@@ -187,7 +194,7 @@ class AltairSerial : public core::PortDevice, public core::Terminal, public core
   bool holding_ = false;
   core::TStateInstant line_free_{};  // when the character before has been sent
   core::TStateInstant next_key_{};   // earliest instant of the next key
-  bool polled_ = false;               // the program has polled for a key since the last was typed
+  core::KeyPolls polls_;
   std::vector<std::uint8_t> keys_;
   std::vector<std::uint8_t> printed_;
   std::span<const std::uint8_t> tape_;  // in the reader

@@ -230,12 +230,8 @@ Cpm::Outcome Cpm::answer_bdos(Processor processor) {
       if (!setup_.console) break;
       wait_for(function_ == 1 ? Waiting::key : Waiting::line, processor);
       return Outcome::answered;
-    case 6:
-      if (!setup_.console) break;
-      direct_input_output(processor);
-      return Outcome::answered;
+    case 6: direct_input_output(processor); return Outcome::answered;
     case 11:
-      if (!setup_.console) break;
       return_value(registers, key_is_there() ? 0xFF : 0x00);
       return Outcome::answered;
     case 27:
@@ -273,7 +269,7 @@ Cpm::Outcome Cpm::call_bios(unsigned function, Processor processor) {
   switch (function) {
     case cold_boot:
     case warm_boot_entry: return warm_boot(processor);
-    case console_status: registers.a = setup_.console && key_is_there() ? 0xFF : 0x00; break;
+    case console_status: registers.a = key_is_there() ? 0xFF : 0x00; break;
     case console_in:
       if (!setup_.console) {
         return stop_at_call("unknown_bios", static_cast<Address>(cpm::bios_table + 3 * function), processor,
@@ -398,7 +394,7 @@ void Cpm::type(std::uint8_t code) {
 }
 
 bool Cpm::key_is_there() {
-  if (keys_.empty()) polled_ = true;
+  if (keys_.empty()) polled_ = polled_now_ = true;
   return !keys_.empty();
 }
 

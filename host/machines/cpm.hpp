@@ -71,6 +71,8 @@ class Cpm {
   [[nodiscard]] bool waits_for_key() const { return keys_.empty() && waiting_ != Waiting::no; }
   // Output looks for a ^S.
   [[nodiscard]] bool pauses_at_key() const { return setup_.console && keys_.empty() && waiting_ == Waiting::no; }
+  // Whether a poll has found no key since the last call.
+  [[nodiscard]] bool take_poll() { return std::exchange(polled_now_, false); }
   // Processes the keys typed so far. True: the program continues.
   [[nodiscard]] bool resume(Processor processor);
 
@@ -161,6 +163,7 @@ class Cpm {
   std::vector<i8080::Byte> line_;  // the unfinished line of function 10
   Waiting waiting_ = Waiting::no;
   bool polled_ = false;  // the program has polled for a key since the last was typed
+  bool polled_now_ = false;  // the same, since take_poll()
   std::vector<i8080::Byte> unprinted_;  // by functions 2 and 9, while ^S stops the output
   std::uint8_t column_ = 0;             // of the console
   std::uint16_t return_code_ = 0;       // of function 108
