@@ -353,9 +353,13 @@ Stop run_console(Machine& machine, const Limits& limits, const ConsoleOptions& o
   };
   while (!stop) {
     const Limits part = next_slice();
-    while (!stop && machine.ticks() < part.until && !machine.waits_for_key()) {
+    // At the limit of the run the machine itself says so.
+    const auto runs_on = [&] {
+      return !stop && !machine.waits_for_key() && (machine.ticks() < part.until || part.until == limits.until);
+    };
+    while (runs_on()) {
       stop = session.look(part);
-      if (!stop && machine.ticks() < part.until && !machine.waits_for_key()) stop = machine.run(part, false);
+      if (runs_on()) stop = machine.run(part, false);
     }
     if (only_slice_over(stop, part)) stop.reset();
     if (!stop) {

@@ -115,7 +115,6 @@ class I8080Run final : public Machine, private core::KeyPollListener {
       cpm_front_.emplace(*machine_);
       cpm_->prepare(machine_->memory());
     }
-    each_terminal([this](core::Terminal& terminal) { terminal.tell_polls(this); });
     if (setup_.vcd) recorder_->vcd.emplace(std::move(*setup_.vcd), clock(), [this] { return machine_->interrupt(); });
   }
 
@@ -294,7 +293,9 @@ class I8080Run final : public Machine, private core::KeyPollListener {
   [[nodiscard]] bool waits_for_key() const override { return (cpm_ && cpm_->waits_for_key()) || halts_for_key(); }
   [[nodiscard]] std::string take_printed() override { return std::exchange(printed_, {}); }
 
-  void return_at_polls(bool returns) override { returns_at_polls_ = returns; }
+  void return_at_polls(bool returns) override {
+    each_terminal([this, returns](core::Terminal& terminal) { terminal.tell_polls(returns ? this : nullptr); });
+  }
   [[nodiscard]] bool take_poll() override {
     const bool of_cpm = cpm_ && cpm_->take_poll();
     return std::exchange(polled_, false) || of_cpm;
@@ -459,7 +460,7 @@ class I8080Run final : public Machine, private core::KeyPollListener {
  private:
   void key_polled() override {
     polled_ = true;
-    if (returns_at_polls_) machine_->request_stop();
+    machine_->request_stop();
   }
   // A key on that terminal would interrupt the program.
   [[nodiscard]] bool interrupts_for_key(const core::Terminal& terminal) const {
@@ -641,8 +642,7 @@ class I8080Run final : public Machine, private core::KeyPollListener {
   TextTaker list_;
   std::uint64_t list_dropped_ = 0;  // characters without a taker
   std::optional<Cpm> cpm_;
-  bool polled_ = false;            // a terminal, in vain
-  bool returns_at_polls_ = false;
+  bool polled_ = false;  // a terminal, in vain
   std::uint64_t printed_bytes_ = 0;  // on the console and the list device, since the machine was made
 };
 

@@ -317,7 +317,7 @@ class Machine {
   // For live::IdleLoop, which finds out whether a program does nothing but wait.
   // From now on run() also returns, as at the end of a slice, at the boundary after a poll that finds no key.
   virtual void return_at_polls(bool) {}
-  // Whether a poll has found no key since the last call.
+  // Whether such a poll has come since the last call.
   [[nodiscard]] virtual bool take_poll() { return false; }
   // All registers and memory, to be compared with those of another moment.
   [[nodiscard]] virtual std::array<std::uint64_t, 2> register_image() const { return {}; }
