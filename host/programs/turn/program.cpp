@@ -34,7 +34,7 @@ Program assemble_program(bool eae, Memory memory) {
   if (assembly.image.words.rbegin()->first >= model_base(Memory::words_8k) || at("model") != model_base(memory))
     base::give_up("the program overlaps the model");
   program.labels = {at("start"), at("begin"), at("count"), at("chksum"), at("pictur"), at("file"),  at("shown"),
-                    at("dfs"),   at("angle"), at("status"), at("sw"),   at("wait1"),  at("waited"),
+                    at("dfs"),   at("angle"), at("status"), at("sw"),   at("waitlp"),  at("waited"),
                     at("vector") + 1, at("locate") + 1};
   return program;
 }
