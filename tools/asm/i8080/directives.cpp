@@ -272,7 +272,7 @@ void I8080Pass::enter_segment(const std::string& name) {
 void I8080Pass::leave_common() {
   if (!open_block_) return;
   Block& block = blocks_[*open_block_];
-  const std::uint32_t size = location_ - block.begins;
+  const std::uint32_t size = (location_ - block.begins) % memory_end;  // DS may have run past FFFF
   if (behind_block_) {
     if (size > block.size) {
       report(Severity::error, block_opened_, std::to_string(size) + " bytes of COMMON /" + *open_block_ + "/",
