@@ -234,6 +234,49 @@ base::Result<std::uint32_t> Debugger::address_of(std::string_view expression) co
   return static_cast<std::uint32_t>(*value);
 }
 
+std::string Debugger::value_text(std::int64_t value) const {
+  const auto bits = static_cast<std::uint64_t>(value);
+  std::string text = radix() == 16 ? fmt::format("{:X} = ", bits) : radix() == 8 ? fmt::format("{:o} = ", bits) : std::string();
+  text += fmt::format("{}.", value);
+  const std::int64_t sign = std::int64_t{1} << (description_.word_bits - 1);
+  if (value >= sign && value < 2 * sign) text += fmt::format(" = {}. as a word with a sign", value - 2 * sign);
+  if (value >= 0 && value < machine_.words()) {
+    const std::string near = symbols_.near(static_cast<std::uint32_t>(value));
+    if (!near.empty()) text += " = " + near;
+  }
+  return text;
+}
+
+base::Result<std::string> Debugger::log_text(std::string_view text) const {
+  std::string line;
+  while (!text.empty()) {
+    const char next = text.front();
+    text.remove_prefix(1);
+    if (next != '{' && next != '}') {
+      line += next;
+    } else if (text.starts_with(next)) {
+      line += next;
+      text.remove_prefix(1);
+    } else {
+      const std::size_t end = text.find('}');
+      if (next == '}' || end == std::string_view::npos) {
+        return base::Error{.found = fmt::format("found {} alone", next),
+                           .expected = "an expression in braces, such as {pc}; {{ and }} print a brace"};
+      }
+      const auto expression = Expression::read(text.substr(0, end), names_);
+      if (!expression) return expression.error();
+      const auto value = expression->value();
+      const bool fits = value && *value >= 0 && *value < std::int64_t{1} << std::max(description_.word_bits, description_.address_bits);
+      line += !value ? "(" + value.error().message() + ")"
+              : !fits ? fmt::format("{}.", *value)
+              : *value < std::int64_t{1} << description_.word_bits ? word(static_cast<std::uint32_t>(*value))
+                                                                   : address(static_cast<std::uint32_t>(*value));
+      text.remove_prefix(end + 1);
+    }
+  }
+  return line;
+}
+
 // --- Changes ---
 
 void Debugger::put(std::uint32_t at, std::uint32_t word) {
@@ -309,6 +352,14 @@ void Debugger::show_printed() {
   host_.print(text);
 }
 
+void Debugger::log(const std::string& text) {
+  const auto line = log_text(text);
+  const std::string shown = line ? *line : line.error().message();
+  show_printed();
+  if (host_.log) return host_.log(shown);
+  host_.print(shown + "\n");
+}
+
 Debugger::Reason Debugger::reason_of(const Breakpoints::Hit& hit) const {
   const int number = hit.breakpoint.number;
   if (!hit.event) return {number, fmt::format("breakpoint {}: {}", number, hit.breakpoint.condition)};
@@ -351,6 +402,7 @@ Halted Debugger::run(const Goal& goal) {
   probe.wants = [this](const Probe::Event& event) { return breakpoints_.wants(event); };
   probe.resume();
   std::optional<Reason> reason;
+  const Breakpoints::Log log = [this](const std::string& text) { this->log(text); };
   const bool for_ever = goal.instructions == Goal{}.instructions && goal.until == Goal{}.until && goal.condition.empty();
   const bool may_wait = for_ever || goal.ends_in_waiting;
   Stop stop{machines::stopped_by_probe, {}};
@@ -388,10 +440,10 @@ Halted Debugger::run(const Goal& goal) {
       }
     }
     if (stop.name == machines::stopped_by_probe && host_.interrupted()) stop = {machines::interrupted, {}};
-    if (const auto hit = breakpoints_.find_hit(probe.events(), holds_)) reason = reason_of(*hit);
+    if (const auto hit = breakpoints_.find_hit(probe.events(), holds_, log)) reason = reason_of(*hit);
     probe.resume();
     if (conditions) {
-      if (const auto hit = breakpoints_.find_true_condition(holds_); hit && !reason) reason = reason_of(*hit);
+      if (const auto hit = breakpoints_.find_true_condition(holds_, log); hit && !reason) reason = reason_of(*hit);
       if (!reason && !goal.condition.empty() && holds_(goal.condition)) reason = Reason{0, goal.condition};
     }
   }
@@ -489,7 +541,7 @@ base::Result<Done> Debugger::back(std::uint64_t instructions) {
 
 base::Result<std::optional<bool>> Debugger::back_to_breakpoint() {
   show_printed();
-  return past_.go_back_to_event([this](Probe& probe) { breakpoints_.mark(probe); }, host_.interrupted);
+  return past_.go_back_to_event([this](Probe& probe) { breakpoints_.mark(probe, true); }, host_.interrupted);
 }
 
 std::vector<Past::Entry> Debugger::history(std::size_t n) {

@@ -41,6 +41,8 @@ struct RunHost {
   bool nobody_interrupts = false;
   // In seconds of emulated time; long enough to conclude that the program does nothing but wait.
   std::int64_t patience = IdleLoop::patience;
+  // Receives the lines of breakpoints that print, without a line end; empty: `print` receives them.
+  std::function<void(std::string_view)> log = {};
 };
 
 // Where a run stops, besides breakpoints and the limits of the machine.
@@ -125,6 +127,11 @@ class Debugger {
   // Names are registers (on the 8080 also pairs), time, instructions, conditions and symbols.
   [[nodiscard]] base::Result<std::int64_t> evaluate(std::string_view expression) const;
   [[nodiscard]] base::Result<std::uint32_t> address_of(std::string_view expression) const;
+  // A value in all forms: in the radix, in decimal, as a word with a sign, as an address near a symbol. "108 = 264. = LOOP"
+  [[nodiscard]] std::string value_text(std::int64_t value) const;
+  // A text with the values of the expressions that it has in braces: "ac is {ac}"; {{ and }} are braces. An error: an expression or a
+  // brace is wrong.
+  [[nodiscard]] base::Result<std::string> log_text(std::string_view text) const;
 
   // --- Changes; going back restores them ---
 
@@ -203,6 +210,7 @@ class Debugger {
   [[nodiscard]] Halted run_to_return(const Frame& frame);
   [[nodiscard]] std::uint32_t behind(std::uint32_t at, std::uint32_t words) const;
   void type_next();
+  void log(const std::string& text);
   void forget_run();
 
   const machines::MachineDescription& description_;

@@ -143,8 +143,20 @@ Breakpoint Reader::parse_options(std::string_view arguments, Breakpoint breakpoi
     rest.erase(at);
     return tail;
   };
-  if (const auto number = take_tail("count")) breakpoint.count = count(*number);
-  if (breakpoint.count == 0) throw base::usage_error("found count 0, expected 1 or more: the stop is at every so many times");
+  // A text may contain the other words: it is removed first.
+  if (const std::size_t quote = rest.find('"'); quote != std::string::npos) {
+    constexpr std::string_view word = "log";
+    const std::string before(without_blanks(std::string_view(rest).substr(0, quote)));
+    const std::string place(without_blanks(std::string_view(before).substr(0, before.size() - std::min(word.size(), before.size()))));
+    if (!before.ends_with(word) || (before.size() > word.size() && before[before.size() - word.size() - 1] != ' '))
+      throw base::usage_error(fmt::format("found {}, expected log before a text in quotes", rest.substr(quote)));
+    std::string_view tail = std::string_view(rest).substr(quote);
+    breakpoint.log = take_part(tail);
+    if (breakpoint.log.empty()) throw base::usage_error("expected log \"TEXT\" with a text");
+    static_cast<void>(base::value_of(debugger_.log_text(breakpoint.log)));
+    rest = place + " " + std::string(tail);
+  }
+  if (const auto number = take_tail("count")) breakpoint.count = base::value_of(read_hit_count(*number));
   if (const auto condition = take_tail("if")) {
     breakpoint.condition = *condition;
     if (breakpoint.condition.empty()) throw base::usage_error("expected an expression behind `if`");
@@ -169,7 +181,7 @@ Breakpoint Reader::parse_options(std::string_view arguments, Breakpoint breakpoi
     } else if (how == "rw") {
       breakpoint.access = Probe::is_read | Probe::is_written;
     } else if (!how.empty()) {
-      throw base::usage_error(fmt::format("found \"{}\", expected r, w, rw, value, if or count", how));
+      throw base::usage_error(fmt::format("found \"{}\", expected r, w, rw, value, if, count or log", how));
     }
     if (breakpoint.kind == Breakpoint::Kind::port) {
       const std::int64_t number = value(place);

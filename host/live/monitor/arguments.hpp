@@ -40,9 +40,9 @@ class Reader {
   [[nodiscard]] std::optional<std::int64_t> limit(std::string_view arguments) const;
   // until TIME | until EXPRESSION | for TIME | for N cycles | for N instructions; empty: no goal.
   [[nodiscard]] Goal goal(std::string_view arguments) const;
-  // [ADDRESS | iot DEVICE | interrupt | when EXPRESSION | a condition of the machine] [if EXPRESSION] [count N]
+  // [ADDRESS | iot DEVICE | interrupt | when EXPRESSION | a condition of the machine] [if EXPRESSION] [count N] [log "TEXT"]
   [[nodiscard]] Breakpoint breakpoint(std::string_view arguments) const;
-  // ADDRESS[-ADDRESS] | port N [r|w|rw] [value V] [if EXPRESSION] [count N]
+  // ADDRESS[-ADDRESS] | port N [r|w|rw] [value V] [if EXPRESSION] [count N] [log "TEXT"]
   [[nodiscard]] Breakpoint watchpoint(std::string_view arguments) const;
 
  private:

@@ -168,11 +168,12 @@ std::span<const Monitor::Impl::Verb> Monitor::Impl::verbs() {
       Verb{"reset", 4, "", "the 8080: the RESET line clears PC and INTE and ends HLT; the PDP-7: as START, all flags are cleared", &Impl::reset},
       Verb{"run", 2, "[until TIME | until EXPRESSION | for TIME | for N cycles | for N instructions]",
            "run to a goal; TIME is 0.5s, 20ms or 100us", &Impl::run_until},
-      Verb{"break", 1, "[ADDRESS | iot DEVICE | interrupt | when EXPRESSION] [if EXPRESSION] [count N]",
-           "stop before an instruction, after an IOT or an interrupt, or when an expression becomes true; alone: at PC",
+      Verb{"break", 1, "[ADDRESS | iot DEVICE | interrupt | when EXPRESSION] [if EXPRESSION] [count N] [log \"TEXT\"]",
+           "stop before an instruction, after an IOT or an interrupt, or when an expression becomes true; alone: at PC. count N: every Nth "
+           "time; also =N, >N, >=N, <N, <=N. log: print the text instead, with the values of expressions in braces: \"ac is {ac}\"",
            &Impl::set_break},
-      Verb{"watch", 1, "ADDRESS[-ADDRESS] | port N [r|w|rw] [value V] [if EXPRESSION] [count N]",
-           "stop after an access to memory (w) or a port (rw)", &Impl::set_watch},
+      Verb{"watch", 1, "ADDRESS[-ADDRESS] | port N [r|w|rw] [value V] [if EXPRESSION] [count N] [log \"TEXT\"]",
+           "stop after an access to memory (w) or a port (rw); count and log as for break", &Impl::set_watch},
       Verb{"delete", 3, "[N...]", "remove breakpoints by number, or all", &Impl::remove_break},
       Verb{"nobreak", 3, "[N...]", "the same", &Impl::remove_break},
       Verb{"history", 1, "[N]", "the last N instructions (20): time, address, word, instruction, word used, AC or A, L or F",
@@ -303,7 +304,7 @@ Answer Monitor::Impl::list(std::string_view arguments) {
 }
 
 Answer Monitor::Impl::evaluate_verb(std::string_view arguments) {
-  return {Kind::done, monitor::value(debugger_, read_.value(arguments))};
+  return {Kind::done, debugger_.value_text(read_.value(arguments)) + "\n"};
 }
 
 Answer Monitor::Impl::who_wrote(std::string_view arguments) {

@@ -271,6 +271,38 @@ TEST(MonitorPdp7, BreaksIfAndAfterACount) {
   s("break 100000", Kind::wrong);
 }
 
+TEST(MonitorPdp7, BreaksAtCountsByComparison) {
+  const auto stops = [](const std::string& count) {
+    auto m = pdp7_session("begin,  lac (0\n tad (1\n sad (6\n hlt\n jmp begin+1\n start begin\n");  // AC is 1 to 6 at 102
+    Session& s = *m;
+    s("break 102 count " + count);
+    std::string found;
+    for (int n = 0; n < 7 && s("continue").starts_with("breakpoint"); ++n) found += s("e ac").substr(8, 1);
+    return found;
+  };
+  EXPECT_EQ(stops("2"), "246");
+  EXPECT_EQ(stops("%2"), "246");
+  EXPECT_EQ(stops(">=5"), "56");
+  EXPECT_EQ(stops("> 5"), "6");
+  EXPECT_EQ(stops("<3"), "12");
+  EXPECT_EQ(stops("<= 2"), "12");
+  EXPECT_EQ(stops("=3"), "3");
+}
+
+TEST(MonitorPdp7, BreakpointsPrintInsteadOfStopping) {
+  auto m = pdp7_program();
+  Session& s = *m;
+  s("break store+1 log \"ac is {ac} if count; {{}} # {place}\"");
+  s("break when ac==5 log \"five\"");
+  EXPECT_TRUE(s("show breaks").starts_with("1: store+1 log \"ac is {ac} if count; {{}} # {place}\", passed 0 times\n"));
+  EXPECT_EQ(s("continue").substr(0, 16), "stopped by halt\n");
+  EXPECT_EQ(s.printed, "ac is 000003 if count; {} # 000110\nfive\nac is 000005 if count; {} # 000110\n");
+  auto other = pdp7_program();
+  (*other)("watch place log \"{[place]} {1<<18.} {-1}\" if ac==5");
+  (*other)("continue");
+  EXPECT_EQ(other->printed, "000005 262144. -1.\n");
+}
+
 TEST(MonitorPdp7, WatchesMemory) {
   auto m = pdp7_program();
   Session& s = *m;
@@ -629,7 +661,7 @@ TEST(MonitorI8080, ExaminesDepositsAndSteps) {
   EXPECT_EQ(bytes.substr(0, 14), "0100  21 00 02");
   EXPECT_EQ(bytes.substr(bytes.size() - 5), " !..\n");
   EXPECT_EQ(s("e 100"), "0100 21  BEGIN: LXI     H,0200H\n");
-  EXPECT_EQ(s("step"), "0103 BEGIN+3: MVI     M,5AH  A 00  F 02  B 00  C 00  D 00  E 00  H 02  L 00  SP F0FE  INTE 0  0.000003333 s\n");
+  EXPECT_EQ(s("step"), "0103 BEGIN+3: MVI     M,5AH  A 00  F 02  B 00  C 00  D 00  E 00  H 02  L 00  SP EBFE  INTE 0  0.000003333 s\n");
   EXPECT_EQ(s("ev hl").substr(0, 10), "200 = 512.");
   s("d 300 \"MVI A,12H\"");
   EXPECT_EQ(s("ev [300]*100+[301]"), "3E12 = 15890.\n");
@@ -1271,9 +1303,14 @@ TEST(MonitorVerbs, WrongArgumentsAreErrors) {
       {"break interrupt x", "found \"x\" behind interrupt"},
       {"break 100 if", "expected an expression behind `if`"},
       {"break 100 count 0", "found count 0, expected 1 or more"},
+      {"break 100 count =>3", "found \"=>3\", expected a decimal count: 3 or %3"},
+      {"break 100 log \"\"", "expected log \"TEXT\" with a text"},
+      {"break 100 log \"{\"", "found { alone, expected an expression in braces"},
+      {"break 100 log \"{nobody}\"", "found \"nobody\""},
+      {"break 100 \"text\"", "found \"text\", expected log before a text in quotes"},
       {"break disk", "show conditions and show symbols list them"},
       {"watch port 100", "found device 100, expected 0 to 000077"},
-      {"watch place x", "found \"x\", expected r, w, rw, value, if or count"},
+      {"watch place x", "found \"x\", expected r, w, rw, value, if, count or log"},
       {"send", "expected \"KEYS\""},
       {"send a b", "found b after the keys, expected one text"},
       {"expect", "expected \"TEXT\" or \"TEXT\" within TIME"},
