@@ -41,6 +41,8 @@ constexpr core::TStates time_between_questions{1 << 25};
 // takes longer.
 constexpr core::TStates time_to_first_question{1 << 19};
 constexpr std::size_t most_kept_of_console = std::size_t{1} << 24;
+// A program that takes keys only by interrupt never polls: it gets the next key after the line has been quiet for so long.
+constexpr core::Duration quiet_before_key{200'000'000};
 
 // --- Texts ---
 
@@ -85,7 +87,7 @@ class CpmFront final : public i8080::Front {
     core::TStateInstant at;
   };
 
-  explicit CpmFront(i8080::Machine& machine) : Front(machine, ports) {}
+  explicit CpmFront(i8080::Machine& machine) : Front(machine, Cpm::ports) {}
   void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override {
     call_ = {port, value, at};
     machine().request_stop();
@@ -96,14 +98,12 @@ class CpmFront final : public i8080::Front {
   void pass_on(const Call& call) { Front::out(call.port, call.value, call.at); }
 
  private:
-  static constexpr core::PortRange ports[]{{0, Cpm::last_port}};
-
   std::optional<Call> call_;
 };
 
 // --- The machine ---
 
-class I8080Run final : public Machine {
+class I8080Run final : public Machine, private core::KeyPollListener {
  public:
   explicit I8080Run(I8080Setup setup) : setup_(std::move(setup)), plotter_(setup_.drawing), machine_(std::move(setup_.machine)) {
     machine_->strokes().hand_to(&plotter_);
@@ -113,11 +113,12 @@ class I8080Run final : public Machine {
       setup_.cpm->journal = setup_.monitored;
       cpm_.emplace(*setup_.cpm, [this](std::string_view text) { print(text); }, [this](char c) { list(c); });
       cpm_front_.emplace(*machine_);
+      cpm_->prepare(machine_->memory());
     }
     if (setup_.vcd) recorder_->vcd.emplace(std::move(*setup_.vcd), clock(), [this] { return machine_->interrupt(); });
   }
 
-  [[nodiscard]] std::uint32_t words() const override { return image::byte_memory_size; }
+  [[nodiscard]] std::uint32_t words() const override { return machine_->options().memory; }
   [[nodiscard]] std::uint32_t word(std::uint32_t address) const override {
     return machine_->memory()[address];
   }
@@ -145,7 +146,7 @@ class I8080Run final : public Machine {
       case 0: s.a = byte; break;
       case 1: s.f = i8080::as_flags(byte); break;
       case 8: s.sp = static_cast<i8080::Address>(value); break;
-      case 9: s.pc = static_cast<i8080::Address>(value); break;
+      case 9: machine_->start(static_cast<i8080::Address>(value)); break;
       case 10: s.interrupts_on = value != 0; break;
       default: {
         i8080::Address& pair = pair_of(s, number);
@@ -156,11 +157,10 @@ class I8080Run final : public Machine {
   }
 
   [[nodiscard]] std::uint32_t start_address(std::optional<std::uint32_t> loaded) const override {
-    return cpm_ ? image::com_origin : loaded.value_or(0);
+    return cpm_ ? cpm_->start_address() : loaded.value_or(0);
   }
-  void start(std::uint32_t address) override {
-    machine_->registers().pc = static_cast<i8080::Address>(address);
-  }
+  void start(std::uint32_t address) override { machine_->start(static_cast<i8080::Address>(address)); }
+  void reset() override { machine_->reset(); }
   [[nodiscard]] bool halted() const override { return machine_->registers().halted; }
   [[nodiscard]] std::string_view system_missing(std::uint32_t lowest) const override {
     return !cpm_ && lowest == image::com_origin ? "--cpm gives a CP/M program its system" : "";
@@ -182,6 +182,8 @@ class I8080Run final : public Machine {
       console_ = std::move(taker);
     } else if (option == "--list") {
       list_ = std::move(taker);
+    } else if (option == "--cpm-log") {
+      cpm_->take_log(std::move(taker));
     } else if (option == "--strokes") {
       plotter_.take(std::move(taker));
     } else {
@@ -210,12 +212,15 @@ class I8080Run final : public Machine {
     // A CP/M call that ended the run is answered first.
     if (probe_ && !probe_->events().empty() && reason != i8080::StopReason::device) return Stop{stopped_by_probe, {}};
     switch (reason) {
-      case i8080::StopReason::halt: return Stop{"halt", {}};
+      case i8080::StopReason::halt:
+        if (halts_for_key()) return std::nullopt;
+        return Stop{"halt", {}};
       case i8080::StopReason::instruction_limit: return Stop{"instruction_limit", {}};
       case i8080::StopReason::time_limit:
         if (machine_->now() < limit) return std::nullopt;
         return Stop{"state_limit", {}, true};
       case i8080::StopReason::unanswered: return unanswered();
+      case i8080::StopReason::undefined: return undefined();
       case i8080::StopReason::device: {
         const auto call = cpm_front_ ? cpm_front_->take_call() : std::nullopt;
         const auto stop = call ? answer(*call) : std::nullopt;
@@ -228,6 +233,7 @@ class I8080Run final : public Machine {
   }
   void finish() override {
     if (recorder_) recorder_->finish(machine_->now());
+    if (cpm_) cpm_->finish();
     plotter_.finish();
   }
 
@@ -276,12 +282,45 @@ class I8080Run final : public Machine {
     if (probe_) probe_->keys.push_back({ticks(), code});
   }
   [[nodiscard]] bool wants_key() const override {
-    bool wants = cpm_ && cpm_->wants_key();
-    each_terminal([&wants](const core::Terminal& terminal) { wants = wants || terminal.wants_key(); });
+    bool wants = (cpm_ && cpm_->wants_key()) || halts_for_key();
+    each_terminal([this, &wants](const core::Terminal& terminal) {
+      wants = wants || terminal.wants_key() ||
+              (interrupts_for_key(terminal) && machine_->now() >= terminal.quiet_since() + clock().t_states_in(quiet_before_key));
+    });
     return wants;
   }
-  [[nodiscard]] bool waits_for_key() const override { return cpm_ && cpm_->waits_for_key(); }
+  [[nodiscard]] bool pauses_at_key() const override { return cpm_ && cpm_->pauses_at_key(); }
+  [[nodiscard]] bool waits_for_key() const override { return (cpm_ && cpm_->waits_for_key()) || halts_for_key(); }
   [[nodiscard]] std::string take_printed() override { return std::exchange(printed_, {}); }
+
+  void return_at_polls(bool returns) override {
+    each_terminal([this, returns](core::Terminal& terminal) { terminal.tell_polls(returns ? this : nullptr); });
+  }
+  [[nodiscard]] bool take_poll() override {
+    const bool of_cpm = cpm_ && cpm_->take_poll();
+    return std::exchange(polled_, false) || of_cpm;
+  }
+  [[nodiscard]] std::array<std::uint64_t, 2> register_image() const override {
+    const i8080::State& s = machine_->registers();
+    const auto joined = [](std::initializer_list<std::uint16_t> words) {
+      std::uint64_t all = 0;
+      for (const std::uint16_t word : words) all = all << 16U | word;
+      return all;
+    };
+    const auto control = static_cast<std::uint16_t>((s.interrupts_on ? 1U : 0U) | (s.deferred ? 2U : 0U) | (s.halted ? 4U : 0U));
+    return {joined({i8080::joined(s.a, s.f), s.bc, s.de, s.hl}), joined({control, s.sp, s.pc})};
+  }
+  [[nodiscard]] std::span<const std::byte> memory_image() const override {
+    return std::as_bytes(std::as_const(*machine_).memory());
+  }
+  [[nodiscard]] bool has_deadline() const override { return machine_->deadline() != core::never_t; }
+  [[nodiscard]] std::uint64_t traffic() const override {
+    std::uint64_t traffic = printed_bytes_;
+    for (const i8080::AttachedDevice& each : machine_->devices()) {
+      for (const core::Count& count : each.device->counts()) traffic += count.value;
+    }
+    return traffic;
+  }
 
   [[nodiscard]] std::int64_t trim_journal(std::size_t most) override { return cpm_ ? cpm_->trim_journal(most) : 0; }
 
@@ -310,6 +349,13 @@ class I8080Run final : public Machine {
         {"emulated time", fmt::format("{} s at {} Hz", seconds_text(machine_->now(), clock()), clock().hertz)},
         {"instructions", fmt::format("{}", machine_->instructions())}};
     if (has_hold()) lines.push_back({"held", fmt::format("{} T-states", machine_->held())});
+    std::string undefined;
+    for (const i8080::UndefinedOpcode& each : machine_->undefined().all)
+      undefined += fmt::format("{}{:02X} at {:04X} ({})", undefined.empty() ? "" : ", ", each.opcode, each.first, each.count);
+    if (!undefined.empty()) lines.push_back({"undefined", "opcodes " + undefined});
+    if (cpm_) {
+      for (ReportLine& line : cpm_->lines()) lines.push_back(std::move(line));
+    }
     each_reported([&lines](const i8080::AttachedDevice& each) {
       lines.push_back({std::string(each.info->name), counts_text(each.device->counts())});
     });
@@ -337,6 +383,11 @@ class I8080Run final : public Machine {
       unanswered.push_back(base::Json{
           {"port", fmt::format("{:02X}", port)}, {"reads", counts.reads}, {"writes", counts.writes}});
     });
+    base::Json& undefined = report["undefined"] = base::Json::array();
+    for (const i8080::UndefinedOpcode& each : machine_->undefined().all) {
+      undefined.push_back(base::Json{
+          {"opcode", fmt::format("{:02X}", each.opcode)}, {"first", fmt::format("{:04X}", each.first)}, {"count", each.count}});
+    }
   }
 
   [[nodiscard]] std::vector<std::string> warnings() const override {
@@ -369,13 +420,14 @@ class I8080Run final : public Machine {
     return shown;
   }
 
-  // --png of the raster board, --svg of the plotter, --parallel-out and the like of the links.
+  // --png of the raster board, --svg of the plotter, --tape-out, --parallel-out and the like of the links.
   [[nodiscard]] Bytes output(std::string_view option) const override {
     for (const auto& [info, device] : machine_->devices()) {
       if (option == "--png" && device->raster() != nullptr) return png(*device->raster());
       if (option == "--svg" && info->kind == core::PortDeviceKind::plotter) return svg(device->micrometres_per_step());
       core::LinkHost* const host = device->link_host();
-      if (host != nullptr && option == fmt::format("--{}-out", info->name)) return host->received();
+      const bool tape = option == "--tape-out" && info->kind == core::PortDeviceKind::terminal;
+      if (host != nullptr && (tape || option == fmt::format("--{}-out", info->name))) return host->received();
     }
     return {};
   }
@@ -392,10 +444,45 @@ class I8080Run final : public Machine {
       warn(counts.reads, "read as FF");
       warn(counts.writes, "written without effect");
     });
+    if (cpm_) {
+      for (EarlyWarning& warning : cpm_->warnings()) warnings.push_back(std::move(warning));
+    }
+    const auto& undefined = machine_->undefined().all;
+    if (!undefined.empty()) {
+      std::uint64_t count = 0;
+      for (const i8080::UndefinedOpcode& each : undefined) count += each.count;
+      warnings.push_back({undefined_text(undefined.front().opcode, undefined.front().first),
+                          count == 1 ? "once" : fmt::format("{} such opcodes", count)});
+    }
     return warnings;
   }
 
  private:
+  void key_polled() override {
+    polled_ = true;
+    machine_->request_stop();
+  }
+  // A key on that terminal would interrupt the program.
+  [[nodiscard]] bool interrupts_for_key(const core::Terminal& terminal) const {
+    if ((!setup_.console && !setup_.monitored) || !machine_->registers().interrupts_on || !terminal.interrupts_for_key()) return false;
+    const auto devices = machine_->devices();
+    return std::any_of(devices.begin(), devices.end(), [&](const i8080::AttachedDevice& each) {
+      return each.device->terminal() == &terminal && machine_->is_connected(*each.device);
+    });
+  }
+  // The program is in HLT, and only a key can end that.
+  [[nodiscard]] bool halts_for_key() const {
+    if (!machine_->registers().halted || has_connected_deadline()) return false;
+    bool waits = false;
+    each_terminal([this, &waits](const core::Terminal& terminal) { waits = waits || interrupts_for_key(terminal); });
+    return waits;
+  }
+  [[nodiscard]] bool has_connected_deadline() const {
+    const auto devices = machine_->devices();
+    return std::any_of(devices.begin(), devices.end(), [this](const i8080::AttachedDevice& each) {
+      return machine_->is_connected(*each.device) && (each.device->deadline() != core::never_t || each.device->requests() != 0);
+    });
+  }
   [[nodiscard]] core::TStates slice() const {
     if (setup_.observed) return time_to_first_question;
     return std::clamp(machine_->now().time_since_epoch(), time_to_first_question, time_between_questions);
@@ -477,6 +564,16 @@ class I8080Run final : public Machine {
   }
   [[nodiscard]] core::ClockRate clock() const { return machine_->options().clock; }
   [[nodiscard]] Cpm::Processor processor() { return {machine_->registers(), machine_->memory(), ticks()}; }
+  // What the 8080 makes of an opcode that Intel left undefined. On the Z80 they are instructions.
+  static std::string undefined_text(i8080::Byte opcode, i8080::Address address) {
+    const std::string instruction = disassembler::disassemble_i8080_instruction({opcode, 0, 0}).text;
+    return fmt::format("PC {:04X}: executes opcode {:02X}, which Intel left undefined and an 8080 takes as {}; a program for the Z80?",
+                       address, opcode, std::string_view(instruction).substr(0, instruction.find(' ')));
+  }
+  std::optional<Stop> undefined() const {
+    const i8080::UndefinedOpcodes& all = machine_->undefined();
+    return Stop{"strict", "stopped by --strict: " + undefined_text(all.last_opcode, all.last_address)};
+  }
   // The IN or OUT precedes PC.
   std::optional<Stop> unanswered() const {
     return Stop{"strict", fmt::format("PC {:04X}: stopped by --strict: no device at that port",
@@ -484,6 +581,7 @@ class I8080Run final : public Machine {
   }
 
   void print(std::string_view text) {
+    printed_bytes_ += text.size();
     if (console_) console_(text);
     if (setup_.console) printed_ += text;
     if (!setup_.keep_console) {
@@ -496,6 +594,7 @@ class I8080Run final : public Machine {
   }
 
   void list(char c) {
+    ++printed_bytes_;
     if (list_) list_(std::string_view(&c, 1));
     else ++list_dropped_;
   }
@@ -543,6 +642,8 @@ class I8080Run final : public Machine {
   TextTaker list_;
   std::uint64_t list_dropped_ = 0;  // characters without a taker
   std::optional<Cpm> cpm_;
+  bool polled_ = false;  // a terminal, in vain
+  std::uint64_t printed_bytes_ = 0;  // on the console and the list device, since the machine was made
 };
 
 }  // namespace
