@@ -261,6 +261,8 @@ MachinePicture run_machine(const Program& program, std::span<const std::uint8_t>
   if (const auto* const board = machine.find<devices::Ef9365>(); board != nullptr) {
     picture.raster = *board->raster();
     end = std::max(end, board->busy_until());
+    picture.board_commands = board->totals().commands;
+    picture.dots_written = board->totals().dots;
     add_faults(board->totals(), picture);
   }
   if (const auto* const plotter = machine.find<devices::CalComp565>(); plotter != nullptr) {
