@@ -13,7 +13,7 @@ struct StripesDemoRow {
   std::string scene;
   bool plotter = false;
   bool antialias = false;
-  programs::stripes::Outcome drawn;
+  programs::stripes::Outcome drawn{};
 };
 
 // Writes SCENE-stripes.png and, with antialiasing, SCENE-stripes-antialias.png into `directory`. Error as programs::stripes::run, or io.
