@@ -203,7 +203,7 @@ TEST(MontaniReCoverage, PartsAreTheSharesOfManyPlaces) {
           }
         }
       }
-      EXPECT_GT(shared, 300U) << setting.family;
+      EXPECT_GT(shared, 200U) << setting.family;
       EXPECT_LT(error, static_cast<double>(shared) / 24) << setting.family;
     }
   }

@@ -46,7 +46,9 @@ TEST(Subdivide, KeepsTheHeightsOfTheGrid) {
     }
     EXPECT_EQ(made.range.low, std::min(grid.range.low, finite_range(made.heights).low));
     EXPECT_EQ(made.range.high, finite_range(made.heights).high);
-    if (parts == 1) EXPECT_EQ(made.heights, grid.heights);
+    if (parts == 1) {
+      EXPECT_EQ(made.heights, grid.heights);
+    }
   }
 }
 
