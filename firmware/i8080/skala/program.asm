@@ -1,5 +1,6 @@
 ; The parts of both builds. ATONCE: without the temporary masks M1T and M1B (SPECIFICATION.md, section 10).
 
+        INCLUDE ../ports.asm
         INCLUDE equates.asm
         INCLUDE monitor.asm
         INCLUDE commands.asm

@@ -3,6 +3,7 @@
 
 PLOTS   EQU     1-COVER-OVERW   ; with output on the plotter
 
+        INCLUDE ../ports.asm
         INCLUDE equates.asm
         INCLUDE monitor.asm
         INCLUDE check.asm

@@ -44,6 +44,7 @@ jones::Order order_of(const JonesArguments& arguments) {
   order.immediate = arguments.immediate;
   order.views = arguments.views;
   order.photograph = photograph_time;
+  order.film = arguments.immediate;
   order.check = arguments.check;
   if (!arguments.switches.empty()) {
     static_cast<void>(value_of(machines::read_switches(read_named(arguments.switches), order.switches)));
@@ -145,7 +146,7 @@ void add_jones_command(const Command& program) {
   const Option switches = command.option("--switches", arguments->switches, "Script of the AC switches; - is standard input")
       .value("SCRIPT");
   command.flag("--stereo", arguments->stereo, "A stereo pair: AC switch 17 up");
-  command.flag("--immediate", arguments->immediate, "Add lines to the picture at once: AC switch 16 up");
+  command.flag("--immediate", arguments->immediate, "Add lines to the picture at once: AC switch 16 up; with a movie of view 1, SCENE.apng");
   command.option("--views", arguments->views, "Number of views to compute; the last one is shown")
       .default_value()
       .range(1, 1000);

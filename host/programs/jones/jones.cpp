@@ -328,12 +328,17 @@ bool take_views(pdp7::Machine& machine, PassWatch& passes, const Program& progra
   pdp7::Limits limits;
   limits.until = core::Instant(order.time_limit);
   pdp7::Counts begun;
+  if (order.film) passes.photograph();
   while (static_cast<int>(outcome.views.size()) < order.views) {
     if (machine.run(limits, watch) != pdp7::StopReason::observer) return false;
-    if (watch.has_begun())
+    if (watch.has_begun()) {
       begun = machine.counts();
-    else
-      outcome.views.push_back(view_of(machine, program, watch, begun));
+      continue;
+    }
+    outcome.views.push_back(view_of(machine, program, watch, begun));
+    if (!order.film || outcome.views.size() != 1) continue;
+    outcome.film_end = machine.now();
+    outcome.film = passes.take_photograph();
   }
   return !order.display || take_display(machine, watch, passes, order, outcome);
 }
