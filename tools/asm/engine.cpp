@@ -209,13 +209,13 @@ void Engine::declare(const std::string& key, bool external) {
 
 // --- Memory
 
-std::optional<Position> Engine::put(std::uint32_t address, std::uint32_t value, const Position& at, ListedLine& line, std::string note) {
+std::optional<Position> Engine::put(std::uint32_t address, std::uint32_t value, const Position& at, ListedLine& line, std::string_view note) {
   if (line.row) {
     if (!note.empty()) line.filled = true;
     const bool begins = line.cells == 0 || line.cells == radix_.cells_a_row;
     ListingLine& row = begins ? begin_row(line, address, at) : listing_[line.last];
     row.code += radix_.text(value, radix_.cell_digits);
-    if (!note.empty()) row.source = std::move(note);
+    if (!note.empty()) row.source = note;
     ++line.cells;
   }
   if (address >= memory_.size()) memory_.resize(std::size_t{address} + 1);
@@ -263,11 +263,9 @@ ListedLine& Engine::line_at(const Position& at) {
 
 void Engine::show(ListedLine& line, std::uint32_t value, bool equated, const Position& at) {
   if (!line.row || line.filled) return;
+  if (equated) line.of_source = false;
   ListingLine& row = begin_row(line, value, at);
-  if (!equated) return;
-  row.code = "=";
-  row.file.clear();
-  row.line_number = 0;
+  if (equated) row.code = "=";
 }
 
 // --- Diagnostics

@@ -149,7 +149,7 @@ class Engine {
 
   // Puts a value at an address and into the listing. Returns where the cell got its first value, if it has one; the later value
   // replaces it. `note` is the source of a cell that no source line has: of a literal or variable.
-  std::optional<Position> put(std::uint32_t address, std::uint32_t value, const Position& at, ListedLine& line, std::string note = {});
+  std::optional<Position> put(std::uint32_t address, std::uint32_t value, const Position& at, ListedLine& line, std::string_view note = {});
   template <class Take>
   void for_each_cell(Take&& take) const {
     for (std::size_t address = 0; address < memory_.size(); ++address)

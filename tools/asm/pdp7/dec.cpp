@@ -172,7 +172,7 @@ bool DecPass::assign(Token name) {
   return false;
 }
 
-void DecPass::emit(std::uint32_t word, const Position& at, std::string generated_source) {
+void DecPass::emit(std::uint32_t word, const Position& at, std::string_view note) {
   if (location_ > image::last_address) {
     if (location_ == image::last_address + 1)
       error(at, "a word after address 77777", "the end of the program");
@@ -184,7 +184,7 @@ void DecPass::emit(std::uint32_t word, const Position& at, std::string generated
           "an origin for the next bank");
   }
   location_by_origin_ = false;
-  if (engine_.final()) program_.put(at, location_, word, base::octal(location_, 5), "address", std::move(generated_source));
+  if (engine_.final()) program_.put(at, location_, word, base::octal(location_, 5), "address", note);
   ++location_;
 }
 

@@ -42,7 +42,7 @@ class DecPass {
   void report_undefined_declarations();
   void place_literals(const Position& at);
   void place_variables(const Position& at);
-  void emit(std::uint32_t word, const Position& at, std::string generated_source = {});
+  void emit(std::uint32_t word, const Position& at, std::string_view note = {});
 
   // Expressions
   [[nodiscard]] std::optional<Value> expression();

@@ -6,7 +6,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "tools/asm/engine.hpp"
 
@@ -26,10 +25,10 @@ struct Pdp7Program {
 
   // In the last pass: a word of the program. `cell` is what a message calls a place in core, `shown` its address.
   void put(const Position& at, std::uint32_t address, std::uint32_t word, const std::string& shown, std::string_view cell,
-           std::string note = {}) {
+           std::string_view note = {}) {
     ListedLine& line = engine.line_at(at);
     line.cells = 0;
-    if (const auto first = engine.put(address, word, at, line, std::move(note))) {
+    if (const auto first = engine.put(address, word, at, line, note)) {
       engine.warning(at, "a second word at " + shown + ", which replaces that of " + engine.where(*first),
                      "one word per " + std::string(cell));
     }
