@@ -263,8 +263,9 @@ ListedLine& Engine::line_at(const Position& at) {
 
 void Engine::show(ListedLine& line, std::uint32_t value, bool equated, const Position& at) {
   if (!line.row || line.filled) return;
-  if (equated) line.of_source = false;
+  line.of_source = !equated;
   ListingLine& row = begin_row(line, value, at);
+  line.of_source = true;
   if (equated) row.code = "=";
 }
 

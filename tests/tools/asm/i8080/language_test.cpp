@@ -262,6 +262,10 @@ TEST(I8080Language, EachStatementOfALineHasItsPlaceInTheListing) {
   std::vector<std::pair<std::string, std::size_t>> places;
   for (const ListingLine& line : assembly.listing) places.emplace_back(line.code, line.line_number);
   EXPECT_EQ(places, (std::vector<std::pair<std::string, std::size_t>>{{"", 0}, {"3E01", 2}, {"0602", 2}, {"01020304", 3}, {"05", 0}}));
+  const auto after_equate = assemble8080("X EQU 1 ! NOP\n");
+  ASSERT_GE(after_equate.listing.size(), 2U);
+  EXPECT_EQ(after_equate.listing[0].line_number, 0U);
+  EXPECT_EQ(after_equate.listing[1].line_number, 1U);
 }
 
 TEST(I8080Language, Listing) {
