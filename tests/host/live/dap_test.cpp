@@ -674,6 +674,30 @@ TEST_F(DapSteps, ThePlacesOfASource) {
   EXPECT_EQ(reasons.substr(0, 11), "entry goto ");
 }
 
+// Lines with an address but without code are no places: ORG, labels alone, EQU and DS.
+TEST_F(DapSteps, LinesWithoutCodeOfThe8080) {
+  request("initialize");
+  request("launch", {{"stopOnEntry", true}});
+  request("configurationDone");
+  request("stackTrace");
+  request("breakpointLocations", {{"source", {{"path", "p.asm"}}}, {"line", 1}, {"endLine", 9}});
+  request("setBreakpoints", {{"source", {{"path", "p.asm"}}}, {"breakpoints", {{{"line", 1}}, {{"line", 3}}, {{"line", 5}}, {{"line", 9}}}}});
+  request("gotoTargets", {{"source", {{"path", "p.asm"}}}, {"line", 3}});
+  request("disconnect");
+  hold_with([](const json&) {
+    return launch_i8080("\tORG 100H\nX:\nY\tEQU 7\nL:\tNOP\n\tDS 3\nM:\n\tNOP\nT:\tDB 1,2,3,4,5,6,7\n\tEND\n");
+  });
+  EXPECT_EQ(answer("stackTrace").at("body").at("stackFrames").at(0).at("line"), 4);
+  EXPECT_EQ(answer("breakpointLocations").at("body").at("breakpoints"), json::array({{{"line", 4}}, {{"line", 7}}, {{"line", 8}}}));
+  const json set = answer("setBreakpoints").at("body").at("breakpoints");
+  EXPECT_EQ(set[0].at("instructionReference"), "0x100");
+  EXPECT_EQ(set[1].at("line"), 4);
+  EXPECT_EQ(set[2].at("line"), 7);
+  EXPECT_EQ(set[2].at("instructionReference"), "0x104");
+  EXPECT_EQ(set[3].at("verified"), false);
+  EXPECT_EQ(answer("gotoTargets").at("body").at("targets").at(0).at("id"), 0x100);
+}
+
 // Bytes outside memory are not written, and bytes of a word that are not written keep their value.
 TEST_F(DapSteps, WritesOfAFewBytes) {
   begin();
