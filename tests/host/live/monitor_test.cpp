@@ -710,7 +710,7 @@ TEST(MonitorI8080, WhoFindsWhatCpmHasJustWritten) {
   Session& s = *m;
   s("deposit 300 5; watch 302; send \"K\\r\"; c");
   EXPECT_EQ(s("who 302").substr(0, 25), "0302: 4B was written at 0");
-  EXPECT_NE(s("who 302").find(" by F106 OUT     01H"), std::string::npos);
+  EXPECT_NE(s("who 302").find(" by EC06 OUT     01H"), std::string::npos);
   s("step");
   s("back");
   EXPECT_EQ(s("ev [302]").substr(0, 2), "4B");
