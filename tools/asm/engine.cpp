@@ -106,9 +106,10 @@ bool Engine::end_places() {
   return differ;
 }
 
-// Only the first: the others follow from it. A language may define names in the last pass alone or in the others alone, so
-// that this is an error only where the layout passes did so, too.
+// Only the first, and none after another error: these follow from it. A language may define names in the last pass alone or in
+// the others alone, so that this is an error only where the layout passes did so, too.
 void Engine::report_unsettled(bool settled) {
+  if (errors_ != 0) return;
   const Symbol* first = nullptr;
   for (const auto& [key, symbol] : symbols_) {
     const bool moved = is_defined(symbol) && symbol.value && symbol.before && symbol.value != symbol.before;
@@ -121,9 +122,9 @@ void Engine::report_unsettled(bool settled) {
   if (first != nullptr && first->value && first->before && is_defined(*first)) {
     error(first->defined, in_quotes(first->name) + " = " + shown(*first->value) + ", in the pass before " + shown(*first->before) + " (phase error)",
           expected);
-  } else if (first != nullptr && errors_ == 0) {
+  } else if (first != nullptr) {
     error(first->defined, in_quotes(first->name) + ", which only every second pass defines", expected);
-  } else if (end_places() && errors_ == 0) {
+  } else if (end_places()) {
     error({0, 1, 1}, "literals or labels at other addresses than in the pass before", "addresses that do not depend on themselves");
   }
 }

@@ -139,6 +139,14 @@ TEST(AssemblerEngine, WhatNeverSettlesIsOneError) {
                                         "does not depend on itself"}));
 }
 
+TEST(AssemblerEngine, NothingElseIsReportedAfterAnError) {
+  Toy toy({Source{{"a", "nobody", 0}, {"c", "", 0}}});
+  std::uint32_t pass = 0;
+  toy.at_end = [&] { toy.engine().define(toy.engine().symbol("c", "c"), SymbolKind::constant, ++pass, {0, 2, 1}); };
+  toy.run();
+  EXPECT_EQ(toy.messages(), (Texts{"a:1:1: error: found 'nobody', expected a value"}));
+}
+
 TEST(AssemblerEngine, NamesAreLocalToSourcesThatDeclareNames) {
   Toy together(Sources{{{"n", "", 1}}, {{"m", "n", 0}}});
   together.run();
