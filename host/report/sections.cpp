@@ -16,6 +16,7 @@
 #include "host/report/experiments/opening.hpp"
 #include "host/report/experiments/overview.hpp"
 #include "host/report/experiments/plantinga_accuracy.hpp"
+#include "host/report/experiments/plantinga_growth.hpp"
 #include "host/report/experiments/plantinga_pdp7.hpp"
 #include "host/report/experiments/plantinga_turns.hpp"
 #include "host/report/experiments/skala_accuracy.hpp"
@@ -56,6 +57,7 @@ const std::vector<Experiment>& report_experiments() {
       experiment(&jones_views),
       experiment(&plantinga_accuracy),
       experiment(&plantinga_pdp7),
+      experiment(&plantinga_growth, true),
       experiment(&skala_pictures),
       experiment(&skala_wishes),
       experiment(&montani_re_8080),
@@ -115,7 +117,8 @@ const std::vector<SectionPlan>& report_sections() {
       {"plantinga", "Plantinga, Seales and Dyer 1990: a rotating scene", "plantinga",
        {chapter("plantinga-timing", 1, &plantinga_timing),
         chapter("plantinga-pdp7", 1, &plantinga_pdp7_chapter),
-        chapter("plantinga-accuracy", 2, &plantinga_accuracy_chapter)}},
+        chapter("plantinga-accuracy", 2, &plantinga_accuracy_chapter),
+        chapter("plantinga-growth", 4, &plantinga_growth_chapter)}},
       {"comparison-of-methods", "Comparison: all methods on many objects from many viewpoints", "",
        {chapter("comparison-chapter", 2, &comparison_chapter)}},
       {"cases", "Hard cases: inputs that break programs of this kind", "",

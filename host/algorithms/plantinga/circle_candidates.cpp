@@ -50,23 +50,22 @@ Wave meeting_wave(const CircleRatio& first, const CircleRatio& second) {
   return wave;
 }
 
-// Encloses the root of a wave that is monotone from low to high, where its slope is at least `slope` in magnitude.
-Enclosure enclose_root(const Wave& wave, double low, double high, double slope) {
-  const double from = low;
-  const double to = high;
-  double at_low = wave.at(low).value;
-  for (int i = 0; i < 60 && high - low > 1e-15; ++i) {
-    const double middle = (low + high) / 2;
-    const double value = wave.at(middle).value;
-    if ((value < 0) == (at_low < 0)) {
-      low = middle;
-      at_low = value;
-    } else {
-      high = middle;
-    }
-  }
+// Encloses the root of a wave that rises or falls from low to high with at least this slope; nothing, if it surely has none.
+void append_root(const Wave& wave, double low, double high, double slope, std::vector<Enclosure>& found) {
   const double off = 2 * wave.error / slope + 4e-15;
-  return {std::max(low - off, from - off), std::min(high + off, to + off)};
+  const double at_low = wave.at(low).value;
+  const double at_high = wave.at(high).value;
+  if (std::abs(at_low) <= wave.error) {
+    found.push_back(in_range({low - off, low + off}));
+  } else if (std::abs(at_high) <= wave.error) {
+    found.push_back(in_range({high - off, high + off}));
+  } else if ((at_low < 0) != (at_high < 0)) {
+    for (int i = 0; i < 60 && high - low > 1e-15; ++i) {
+      const double middle = (low + high) / 2;
+      ((wave.at(middle).value < 0) == (at_low < 0) ? low : high) = middle;
+    }
+    found.push_back(in_range({low - off, high + off}));
+  }
 }
 
 void isolate(const Wave& wave, double low, double high, int& left, std::vector<Enclosure>& found) {
@@ -77,10 +76,7 @@ void isolate(const Wave& wave, double low, double high, int& left, std::vector<E
   if (std::abs(here.value) > 2 * wave.error + half * std::abs(here.slope) + bend * half * half) return;
   const double slope = std::abs(here.slope) - bend * half - 16 * wave.error;
   if (slope > 0) {
-    const double at_low = wave.at(low).value;
-    const double at_high = wave.at(high).value;
-    const bool sure = std::abs(at_low) > wave.error && std::abs(at_high) > wave.error;
-    if (!sure || (at_low < 0) != (at_high < 0)) found.push_back(in_range(enclose_root(wave, low, high, slope)));
+    append_root(wave, low, high, slope, found);
     return;
   }
   if (half < 1e-10 || --left <= 0) {

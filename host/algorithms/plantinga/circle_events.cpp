@@ -12,7 +12,6 @@
 namespace sightline::algorithms::plantinga {
 namespace {
 
-
 struct CircleChange {
   Enclosure within;
   EdgeStructure after;
