@@ -70,6 +70,11 @@ opn2,   dac org         / the opening's X word, and its name
 / high or to the low side; 4, it has a real line; 10, known.  Then its box on
 / the screen.
 opens,  lac org
+        IFNZRO WALK <
+        tad (-10+1      / with WALK the record is before the opening
+        dac 15
+        >
+        IFZERO WALK <
         tad (-scene+1
         rcr
         and (377774     / four words for each eight,
@@ -82,6 +87,7 @@ opens,  lac org
         tad (-recend+2
         sma
         jms beyond
+        >
         lac i 15
         sna
         jms newrec
@@ -295,18 +301,25 @@ plane3, dzm ucell       / across k
         dzm r           / nothing is seen towards the back
         jmp i plane
 
+        IFZERO WALK <
 / An opening beyond the table is worked out every time.
 beyond, 0
         lac (recend-1
         dac 15
         dzm recend
         jmp i beyond
+        >
 
 / Make the record of an opening, whose first word 15 points at: AC = that word.
 newrec, 0
         lac 15
         dac rec
         jms plane
+        IFNZRO WALK <
+        jms extent
+        jmp newre0
+extent, 0
+        >
         lac org         / the ends of its extent along each axis
         tad (777777
         dac 15
@@ -329,7 +342,10 @@ newrec, 0
         jms extend
         lac axis2
         jms extend
-        lac (10
+        IFNZRO WALK <
+        jmp i extent
+        >
+newre0, lac (10
         dac i rec
         lac ext+5
         tad (777777
@@ -465,6 +481,22 @@ exten2, lac exsum
 
 / Forget all records: a pass begins.
 forget, 0
+        IFNZRO WALK <
+        lac (scene+13
+forge1, dac rec         / from opening to opening, up to the planes of cell 0
+        tad (-c0+4
+        sma
+        jmp i forget
+        dzm i rec
+        lac rec
+        tad (12
+        dac t1
+        lac i t1
+        tad t1
+        tad (1
+        jmp forge1
+        >
+        IFZERO WALK <
         lac (recs
         dac rec
         lac (-recmax+1
@@ -476,6 +508,7 @@ forge1, dzm i rec
         isz cnt
         jmp forge1
         jmp i forget
+        >
 
 / No opening left: ascend a level.
 oplast, lac depth

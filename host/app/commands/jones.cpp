@@ -26,6 +26,7 @@ struct JonesArguments {
   std::string at;
   std::optional<int> scale;
   std::string switches;
+  std::string walk;
   bool stereo = false;
   bool immediate = false;
   int views = 2;
@@ -35,6 +36,7 @@ struct JonesArguments {
 };
 
 constexpr double flicker_limit = 30.0;
+constexpr std::string_view walk_by_switches = "switches";
 
 jones::Order order_of(const JonesArguments& arguments) {
   jones::Order order;
@@ -51,6 +53,7 @@ jones::Order order_of(const JonesArguments& arguments) {
     const core::Word18 modes((arguments.stereo ? 1U : 0U) | (arguments.immediate ? 2U : 0U));
     for (auto& setting : order.switches) setting.switches = setting.switches | modes;
   }
+  if (!arguments.walk.empty() && arguments.walk != walk_by_switches) order.walk = value_of(jones::read_walk(arguments.walk), "--walk");
   return order;
 }
 
@@ -61,6 +64,7 @@ Json document_of(const JonesArguments& arguments, const scene::CellScene& scene,
                 {"eae", !arguments.no_eae},
                 {"fraction_bits", arguments.fraction},
                 {"truncated", arguments.truncate},
+                {"walk", !arguments.walk.empty()},
                 {"eye", outcome.eye},
                 {"cells", scene.cells.size()},
                 {"core_words_used", outcome.core_words},
@@ -68,16 +72,24 @@ Json document_of(const JonesArguments& arguments, const scene::CellScene& scene,
                 {"flicker", outcome.refreshes_per_second() < flicker_limit}};
   document["views"] = Json::array();
   for (const jones::View& view : outcome.views) {
-    document["views"].push_back({{"status", jones::name(view.status)},
-                                 {"emulated_ns", view.time.count()},
-                                 {"instructions", view.instructions},
-                                 {"stolen_cycles", view.stolen_cycles},
-                                 {"cells_read", view.distinct_cells},
-                                 {"visits", view.visits},
-                                 {"openings_tested", view.openings_tested},
-                                 {"lines_clipped", view.lines_clipped},
-                                 {"segments", view.pieces},
-                                 {"display_words", view.display_file.size()}});
+    Json entry{{"status", jones::name(view.status)},
+               {"emulated_ns", view.time.count()},
+               {"instructions", view.instructions},
+               {"stolen_cycles", view.stolen_cycles},
+               {"cells_read", view.distinct_cells},
+               {"visits", view.visits},
+               {"openings_tested", view.openings_tested},
+               {"lines_clipped", view.lines_clipped},
+               {"segments", view.pieces},
+               {"display_words", view.display_file.size()}};
+    if (!arguments.walk.empty()) {
+      entry["eye"] = view.eye;
+      entry["cell"] = view.cell < scene.cells.size() ? Json(view.cell) : Json(nullptr);
+      entry["stopped"] = Json::array();
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if ((view.stops >> axis & 1U) != 0) entry["stopped"].push_back(std::string(1, "xyz"[axis]));
+    }
+    document["views"].push_back(std::move(entry));
   }
   document["pictures"] = pictures;
   return document;
@@ -88,9 +100,15 @@ std::string summary_of(const JonesArguments& arguments, const scene::CellScene& 
   const auto& eye = outcome.eye;
   std::string text = fmt::format("{} from {},{},{}, PDP-7 {} EAE\n", arguments.scene, eye[0], eye[1], eye[2],
                                  arguments.no_eae ? "without" : "with");
-  for (std::size_t n = 0; n < outcome.views.size(); ++n)
-    text += fmt::format("view {}           {:.3f} s{}\n", n + 1, core::in_seconds(outcome.views[n].time),
+  for (std::size_t n = 0; n < outcome.views.size(); ++n) {
+    const jones::View& each = outcome.views[n];
+    text += fmt::format("{:<17}{:.3f} s{}", fmt::format("view {}", n + 1), core::in_seconds(each.time),
                         n == 0 ? " (display dark)" : " (picture being refreshed)");
+    if (!arguments.walk.empty())
+      text += fmt::format(", eye {},{},{} in cell {}", each.eye[0], each.eye[1], each.eye[2], each.cell);
+    if (each.stops != 0) text += fmt::format(", stopped by a wall along {}", jones::axes_of(each.stops));
+    text += "\n";
+  }
   text += fmt::format("status           {}\n", jones::name(view.status));
   text += fmt::format("instructions     {}\n", view.instructions);
   text += fmt::format("cells read       {} of {}, {} visits\n", view.distinct_cells,
@@ -108,7 +126,7 @@ std::string summary_of(const JonesArguments& arguments, const scene::CellScene& 
 
 ExitCode run_jones(const JonesArguments& arguments) {
   const scene::CellScene scene = load_cells(arguments.scene);
-  const jones::Build build{!arguments.no_eae, arguments.fraction, arguments.truncate};
+  const jones::Build build{!arguments.no_eae, arguments.fraction, arguments.truncate, !arguments.walk.empty()};
   const jones::Outcome outcome = value_of(jones::run(scene, build, order_of(arguments)), arguments.scene);
   const auto pictures = write_jones_pictures(arguments.directory, file_stem(scene.name),
                                              title_of(scene.name, build.eae), outcome);
@@ -144,6 +162,8 @@ void add_jones_command(const Command& program) {
       .range(64, 4096);
   const Option switches = command.option("--switches", arguments->switches, "Script of the AC switches; - is standard input")
       .value("SCRIPT");
+  command.option("--walk", arguments->walk, "Walk from cell to cell: the steps of each further view, as \"in 100, right 50 up 20\"; \"switches\": those of --switches")
+      .value("STEPS");
   command.flag("--stereo", arguments->stereo, "A stereo pair: AC switch 17 up");
   command.flag("--immediate", arguments->immediate, "Add lines to the picture at once: AC switch 16 up");
   command.option("--views", arguments->views, "Number of views to compute; the last one is shown")
