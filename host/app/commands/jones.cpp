@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "host/app/commands/commands.hpp"
 #include "host/app/commands/jones_pictures.hpp"
@@ -26,10 +27,10 @@ struct JonesArguments {
   std::string at;
   std::optional<int> scale;
   std::string switches;
-  std::string walk;
+  std::optional<std::string> walk;
   bool stereo = false;
   bool immediate = false;
-  int views = 2;
+  std::optional<int> views;
   std::string directory = "out";
   bool check = false;
   bool json = false;
@@ -44,7 +45,7 @@ jones::Order order_of(const JonesArguments& arguments) {
   order.scale = arguments.scale;
   order.stereo = arguments.stereo;
   order.immediate = arguments.immediate;
-  order.views = arguments.views;
+  order.views = arguments.views.value_or(2);
   order.photograph = photograph_time;
   order.check = arguments.check;
   if (!arguments.switches.empty()) {
@@ -53,7 +54,12 @@ jones::Order order_of(const JonesArguments& arguments) {
     const core::Word18 modes((arguments.stereo ? 1U : 0U) | (arguments.immediate ? 2U : 0U));
     for (auto& setting : order.switches) setting.switches = setting.switches | modes;
   }
-  if (!arguments.walk.empty() && arguments.walk != walk_by_switches) order.walk = value_of(jones::read_walk(arguments.walk), "--walk");
+  if (arguments.walk && arguments.walk != walk_by_switches) {
+    if (arguments.views || !arguments.switches.empty()) throw base::usage_error("--walk: found steps, each of which is a view; --views and --switches need `--walk switches`");
+    auto walk = jones::read_walk(*arguments.walk);
+    if (!walk) throw base::usage_error("--walk: " + walk.error().message());
+    order.walk = std::move(*walk);
+  }
   return order;
 }
 
@@ -64,7 +70,7 @@ Json document_of(const JonesArguments& arguments, const scene::CellScene& scene,
                 {"eae", !arguments.no_eae},
                 {"fraction_bits", arguments.fraction},
                 {"truncated", arguments.truncate},
-                {"walk", !arguments.walk.empty()},
+                {"walk", arguments.walk.has_value()},
                 {"eye", outcome.eye},
                 {"cells", scene.cells.size()},
                 {"core_words_used", outcome.core_words},
@@ -82,7 +88,7 @@ Json document_of(const JonesArguments& arguments, const scene::CellScene& scene,
                {"lines_clipped", view.lines_clipped},
                {"segments", view.pieces},
                {"display_words", view.display_file.size()}};
-    if (!arguments.walk.empty()) {
+    if (arguments.walk.has_value()) {
       entry["eye"] = view.eye;
       entry["cell"] = view.cell < scene.cells.size() ? Json(view.cell) : Json(nullptr);
       entry["stopped"] = Json::array();
@@ -104,7 +110,7 @@ std::string summary_of(const JonesArguments& arguments, const scene::CellScene& 
     const jones::View& each = outcome.views[n];
     text += fmt::format("{:<17}{:.3f} s{}", fmt::format("view {}", n + 1), core::in_seconds(each.time),
                         n == 0 ? " (display dark)" : " (picture being refreshed)");
-    if (!arguments.walk.empty())
+    if (arguments.walk.has_value())
       text += fmt::format(", eye {},{},{} in cell {}", each.eye[0], each.eye[1], each.eye[2], each.cell);
     if (each.stops != 0) text += fmt::format(", stopped by a wall along {}", jones::axes_of(each.stops));
     text += "\n";
@@ -126,7 +132,7 @@ std::string summary_of(const JonesArguments& arguments, const scene::CellScene& 
 
 ExitCode run_jones(const JonesArguments& arguments) {
   const scene::CellScene scene = load_cells(arguments.scene);
-  const jones::Build build{!arguments.no_eae, arguments.fraction, arguments.truncate, !arguments.walk.empty()};
+  const jones::Build build{!arguments.no_eae, arguments.fraction, arguments.truncate, arguments.walk.has_value()};
   const jones::Outcome outcome = value_of(jones::run(scene, build, order_of(arguments)), arguments.scene);
   const auto pictures = write_jones_pictures(arguments.directory, file_stem(scene.name),
                                              title_of(scene.name, build.eae), outcome);
@@ -162,12 +168,12 @@ void add_jones_command(const Command& program) {
       .range(64, 4096);
   const Option switches = command.option("--switches", arguments->switches, "Script of the AC switches; - is standard input")
       .value("SCRIPT");
-  command.option("--walk", arguments->walk, "Walk from cell to cell: the steps of each further view, as \"in 100, right 50 up 20\"; \"switches\": those of --switches")
+  command.option("--walk", arguments->walk, "Walk from cell to cell: the way to each further view, as \"in 100, right 50 up 20\", or \"switches\"")
       .value("STEPS");
   command.flag("--stereo", arguments->stereo, "A stereo pair: AC switch 17 up");
   command.flag("--immediate", arguments->immediate, "Add lines to the picture at once: AC switch 16 up");
   command.option("--views", arguments->views, "Number of views to compute; the last one is shown")
-      .default_value()
+      .default_value("2")
       .range(1, 1000);
   command.option("-o,--output", arguments->directory, "Folder for the pictures").default_value().value("DIR");
   command.flag("--check", arguments->check, "Compare the last view with that of the same program in C++, word for word")

@@ -18,7 +18,7 @@ using Steps = std::array<std::int32_t, 3>;  // along x, y, z
 inline constexpr std::int32_t most_steps = 65535;  // of a view along one axis: sums of 18 bits hold
 inline constexpr std::size_t most_walk_views = 1000;
 
-// Errors: bad_input, with what was found.
+// Error: what was found, and what is expected.
 [[nodiscard]] base::Result<std::vector<Steps>> read_walk(std::string_view text);
 
 // "x", "y and z", "x, y and z": the axes of View::stops.
