@@ -48,17 +48,17 @@ jones::Order order_of(const JonesArguments& arguments) {
   order.views = arguments.views.value_or(2);
   order.photograph = photograph_time;
   order.check = arguments.check;
-  if (!arguments.switches.empty()) {
-    static_cast<void>(value_of(machines::read_switches(read_named(arguments.switches), order.switches)));
-    // The switches of --stereo and --immediate stay up, whatever the script sets.
-    const core::Word18 modes((arguments.stereo ? 1U : 0U) | (arguments.immediate ? 2U : 0U));
-    for (auto& setting : order.switches) setting.switches = setting.switches | modes;
-  }
   if (arguments.walk && arguments.walk != walk_by_switches) {
     if (arguments.views || !arguments.switches.empty()) throw base::usage_error("--walk: found steps, each of which is a view; --views and --switches need `--walk switches`");
     auto walk = jones::read_walk(*arguments.walk);
     if (!walk) throw base::usage_error("--walk: " + walk.error().message());
     order.walk = std::move(*walk);
+  }
+  if (!arguments.switches.empty()) {
+    static_cast<void>(value_of(machines::read_switches(read_named(arguments.switches), order.switches)));
+    // The switches of --stereo and --immediate stay up, whatever the script sets.
+    const core::Word18 modes((arguments.stereo ? 1U : 0U) | (arguments.immediate ? 2U : 0U));
+    for (auto& setting : order.switches) setting.switches = setting.switches | modes;
   }
   return order;
 }
