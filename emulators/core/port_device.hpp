@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "device.hpp"
+#include "key_polls.hpp"
 #include "raster.hpp"
 #include "stroke.hpp"
 #include "tstates.hpp"
@@ -73,6 +74,11 @@ class Terminal {
   virtual void type(std::uint8_t code) = 0;
   // The program has read all keys and polled for another.
   [[nodiscard]] virtual bool wants_key() const = 0;
+  // The program has read all keys, and another would raise an interrupt request.
+  [[nodiscard]] virtual bool interrupts_for_key() const = 0;
+  // The instant from which on nothing has been read or printed; it may be in the future.
+  [[nodiscard]] virtual TStateInstant quiet_since() const = 0;
+  virtual void tell_polls(KeyPollListener* listener) = 0;
   // The characters printed since the last call.
   [[nodiscard]] virtual std::vector<std::uint8_t> take_printed() = 0;
 

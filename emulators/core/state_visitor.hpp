@@ -18,6 +18,7 @@
 //   visit.output(name, vector, before)    what the machine has produced: only its count is stored. `before` counts
 //                                         what was produced before the machine was restored, which the vector lacks
 //   visit.require(holds, name, expected)  a relation of members; on restoring, the snapshot is rejected if it is false
+//   visit.require_medium(holds, name, expected)  the same for the medium in a device, which the user can exchange
 //   visit.restores()                      members are being assigned: recompute what depends on them
 //   visit.cuts_outputs()                  the same, and drop outputs later than the snapshot
 //
@@ -181,6 +182,7 @@ class StateVisitor {
   virtual void bytes(std::string_view name, std::span<std::uint8_t> bytes, std::uint8_t most = 0xFF) = 0;
   virtual void input(std::string_view name, std::span<const std::uint8_t> bytes) = 0;
   virtual void require(bool holds, std::string_view name, std::string_view expected) = 0;
+  virtual void require_medium(bool holds, std::string_view name, std::string_view expected) { require(holds, name, expected); }
   [[nodiscard]] virtual bool restores() const { return false; }
   [[nodiscard]] virtual bool cuts_outputs() const { return false; }
 

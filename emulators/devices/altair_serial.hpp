@@ -57,11 +57,11 @@ class AltairSerial : public core::PortDevice, public core::Terminal {
   [[nodiscard]] std::uint8_t read(std::uint8_t port, core::TStateInstant at) {
     advance(at);
     if ((port & 1U) == 0) {
-      polled_ = polled_ || keys_.empty();
+      if (keys_.empty()) polls_.add();
       return status();
     }
     if (!key_is_there()) {
-      polled_ = polled_ || keys_.empty();
+      if (keys_.empty()) polls_.add();
       return last_read_;
     }
     last_read_ = keys_.front();
@@ -98,17 +98,20 @@ class AltairSerial : public core::PortDevice, public core::Terminal {
   }
   [[nodiscard]] bool interrupt() const {
     const bool sends = board_ == AltairBoard::sio ? (control_ & 2U) != 0 : (control_ & 0x60U) == 0x20;
-    const bool receives = board_ == AltairBoard::sio ? (control_ & 1U) != 0 : (control_ & 0x80U) != 0;
-    return (receives && key_is_there()) || (sends && !holding_);
+    return (receives() && key_is_there()) || (sends && !holding_);
   }
 
   // The terminal's side. A typed key is sent as soon as the line and the program allow.
   void type(std::uint8_t code) override {
     keys_.push_back(code);
-    polled_ = false;
+    polls_.forget();
   }
-  // The program has read all keys and polled for another.
-  [[nodiscard]] bool wants_key() const override { return keys_.empty() && polled_; }
+  [[nodiscard]] bool wants_key() const override { return keys_.empty() && polls_.any(); }
+  [[nodiscard]] bool interrupts_for_key() const override { return keys_.empty() && receives(); }
+  [[nodiscard]] core::TStateInstant quiet_since() const override {
+    return std::max(next_key_, holding_ ? line_free_ + character_ : line_free_);
+  }
+  void tell_polls(core::KeyPollListener* listener) override { polls_.tell(listener); }
   // The characters sent since the last call.
   [[nodiscard]] std::vector<std::uint8_t> take_printed() override { return std::exchange(printed_, {}); }
 
@@ -126,7 +129,7 @@ class AltairSerial : public core::PortDevice, public core::Terminal {
     visit("holding", holding_);
     visit("line_free", line_free_);
     visit("next_key", next_key_);
-    visit("asked", polled_);
+    visit("asked", polls_.state());
     visit.list("keys", keys_, [&visit](std::uint8_t& key) { visit("key", key); });
     visit("received", counts_.received);
     visit("sent", counts_.sent);
@@ -141,6 +144,10 @@ class AltairSerial : public core::PortDevice, public core::Terminal {
     printed_.push_back(character);
     ++counts_.sent;
     line_free_ = begins + character_;
+  }
+  // The receive interrupt is enabled.
+  [[nodiscard]] bool receives() const {
+    return board_ == AltairBoard::sio ? (control_ & 1U) != 0 : (control_ & 0x80U) != 0;
   }
   [[nodiscard]] bool key_is_there() const { return !keys_.empty() && next_key_ <= now_; }
   [[nodiscard]] std::uint8_t status() const {
@@ -158,7 +165,7 @@ class AltairSerial : public core::PortDevice, public core::Terminal {
   bool holding_ = false;
   core::TStateInstant line_free_{};  // when the character before has been sent
   core::TStateInstant next_key_{};   // earliest instant of the next key
-  bool polled_ = false;               // the program has polled for a key since the last was typed
+  core::KeyPolls polls_;
   std::vector<std::uint8_t> keys_;
   std::vector<std::uint8_t> printed_;
   AltairSerialCounts counts_;

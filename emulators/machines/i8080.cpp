@@ -172,6 +172,12 @@ std::string Machine::attach(const core::PortDeviceInfo& info, std::unique_ptr<co
 std::string Machine::wire(std::string_view line, std::uint8_t restart) { return parts_->ports.wire(line, restart); }
 core::PortDevice* Machine::device(std::string_view name) const { return parts_->ports.device(name); }
 std::span<const AttachedDevice> Machine::devices() const { return parts_->ports.devices(); }
+bool Machine::is_connected(const core::PortDevice& device) const { return parts_->ports.is_connected(device); }
+core::TStateInstant Machine::deadline() const {
+  core::TStateInstant next = core::never_t;
+  for (const AttachedDevice& each : devices()) next = std::min(next, each.device->deadline());
+  return next;
+}
 core::StrokeBuffer& Machine::strokes() { return parts_->strokes; }
 
 void Machine::put_before(core::PortRange ports, core::PortDevice& front) { parts_->ports.put_before(ports, front); }
@@ -188,9 +194,16 @@ void Machine::load(Address address, std::span<const Byte> bytes) {
 }
 std::span<Byte> Machine::memory() { return parts_->memory; }
 std::span<const Byte> Machine::memory() const { return parts_->memory; }
-void Machine::start(Address address) { parts_->state.pc = address; }
+void Machine::start(Address address) {
+  State& state = parts_->state;
+  state.pc = address;
+  if (!std::exchange(state.halted, false)) return;
+  parts_->now = std::max(parts_->now, parts_->halt_sampled);  // up to there the devices have advanced
+  parts_->pins = {};
+  parts_->halt_ended = core::never_t;
+}
 void Machine::reset() {
-  parts_->state.pc = 0;
+  start(0);
   static_cast<Control&>(parts_->state) = {};
   parts_->pins = {};
   parts_->halt_ended = core::never_t;

@@ -150,6 +150,10 @@ class Machine {
   }
   // In the order of the list; other devices come last.
   [[nodiscard]] std::span<const AttachedDevice> devices() const;
+  // An interrupt line of the device is connected, or it drives INT or HOLD.
+  [[nodiscard]] bool is_connected(const core::PortDevice& device) const;
+  // Before it nothing outside the processor changes by itself.
+  [[nodiscard]] core::TStateInstant deadline() const;
   // Where plotters draw.
   [[nodiscard]] core::StrokeBuffer& strokes();
 
@@ -171,9 +175,9 @@ class Machine {
   void load(Address address, std::span<const Byte> bytes);
   [[nodiscard]] std::span<Byte> memory();
   [[nodiscard]] std::span<const Byte> memory() const;
-  // Sets PC.
+  // Sets PC, and ends a halt.
   void start(Address address);
-  // The RESET pin: only PC and INTE change; memory and the other registers stay.
+  // The RESET pin: only PC and INTE change, and a halt ends; memory and the other registers stay.
   void reset();
 
   // --- Runs

@@ -102,6 +102,11 @@ core::PortDevice* Ports::device(std::string_view name) const {
   return nullptr;
 }
 
+bool Ports::is_connected(const core::PortDevice& device) const {
+  return std::any_of(connections_.begin(), connections_.end(),
+                     [&device](const auto& each) { return each != nullptr && each->device == &device; });
+}
+
 void Ports::put_before(core::PortRange ports, core::PortDevice& front) {
   for (unsigned port = ports.first; port <= ports.last; ++port) fronts_[port] = &front;
 }

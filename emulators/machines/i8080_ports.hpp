@@ -33,6 +33,7 @@ class Ports {
   [[nodiscard]] std::string wire(std::string_view line, std::uint8_t restart);
   [[nodiscard]] core::PortDevice* device(std::string_view name) const;
   [[nodiscard]] std::span<const AttachedDevice> devices() const { return devices_; }
+  [[nodiscard]] bool is_connected(const core::PortDevice& device) const;
   void put_before(core::PortRange ports, core::PortDevice& front);
   [[nodiscard]] std::span<const UnansweredPort, 256> unanswered() const { return unanswered_; }
   void visit_state(core::StateVisitor& visit);

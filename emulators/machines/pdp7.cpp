@@ -172,6 +172,12 @@ void Machine::load(Address address, std::initializer_list<std::uint32_t> words) 
   for (const std::uint32_t word : words) deposit(address++, core::Word18(word));
 }
 
+core::Instant Machine::deadline() const {
+  core::Instant next = console_.deadline();
+  for (const auto& each : devices_) next = std::min(next, each->device->deadline());
+  return next;
+}
+
 Counts Machine::counts() const {
   const std::int64_t machine_cycles = (now_.time_since_epoch() - asynchronous_) / machine_cycle;
   return {counts_.instructions, static_cast<std::uint64_t>(machine_cycles), counts_.stolen_cycles};

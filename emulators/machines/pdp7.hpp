@@ -167,6 +167,8 @@ class Machine {
   [[nodiscard]] std::span<const core::Word18> core() const { return {core_.data(), core_.size()}; }
   void randomise_core(std::uint64_t seed) { core_.randomise(seed); }
   [[nodiscard]] Console& console() { return console_; }
+  // Before it nothing outside the processor changes by itself: no device, and no switch of a script.
+  [[nodiscard]] core::Instant deadline() const;
 
   [[nodiscard]] const Options& options() const { return options_; }
   [[nodiscard]] core::Instant now() const { return now_; }

@@ -34,6 +34,9 @@ class Console {
     return switches_;
   }
 
+  // When the script moves them again.
+  [[nodiscard]] core::Instant deadline() const { return next_ < settings_.size() ? settings_[next_].time : core::never; }
+
   // The pending settings and the current one.
   void visit_state(core::StateVisitor& visit) {
     settings_.erase(settings_.begin(), settings_.begin() + static_cast<std::ptrdiff_t>(next_));

@@ -98,12 +98,12 @@ class Rb09 final : public core::IotDevice {
               .after_last = setup.timing.disk_after_last},
              setup.address_mask) {}
 
-  // Inserts a disk of words_of_disk words in address order. Its number lets a snapshot check that the same disk is
-  // inserted. Locked tracks cannot be written.
-  void attach(std::vector<Word> image, std::uint32_t number, std::uint32_t locks) {
+  // Inserts a disk of words_of_disk words in address order. Locked tracks cannot be written.
+  void attach(std::vector<Word> image, std::uint32_t locks) {
     image_ = std::move(image);
     image_.resize(rb09::words_of_disk);
-    number_ = number;
+    sum_ = 0;
+    for (std::uint32_t address = 0; address < rb09::words_of_disk; ++address) sum_ += checksum(address, image_[address]);
     locks_ = locks;
     changed_.clear();
   }
@@ -111,7 +111,7 @@ class Rb09 final : public core::IotDevice {
     stop();
     image_.clear();
     changed_.clear();
-    number_ = 0;
+    sum_ = 0;
   }
   [[nodiscard]] bool attached() const { return !image_.empty(); }
   [[nodiscard]] bool changed() const { return !changed_.empty(); }
@@ -199,9 +199,8 @@ class Rb09 final : public core::IotDevice {
   [[nodiscard]] std::uint32_t word_count() const { return count_; }
 
   void visit_state(core::StateVisitor& visit) override {
-    std::uint32_t number = number_;
-    visit("image", number);
-    visit.require(number == number_, "image", "the number of the disk that is attached");
+    std::uint64_t others = sum_of_other_sectors();
+    visit("image", others);
     visit("status", status_, Word::mask);
     visit("address", address_, rb09::words_of_disk - 1);
     visit("core", core_, address_mask);
@@ -220,6 +219,8 @@ class Rb09 final : public core::IotDevice {
     visit.require(std::is_sorted(changed_.begin(), changed_.end(),
                                  [](const Sector& a, const Sector& b) { return a.number <= b.number; }),
                   "changed", "sectors in ascending order");
+    visit.require_medium(others == sum_of_other_sectors(), "image",
+                         "the disk image of the run that made the snapshot, as it was before that run or as the run has written it back");
   }
 
  private:
@@ -229,6 +230,25 @@ class Rb09 final : public core::IotDevice {
   };
   static constexpr std::uint32_t count_mask = 0177777;
 
+  // A sum over words, so that it is known without any of the sectors. The mixing is that of SplitMix64.
+  [[nodiscard]] static constexpr std::uint64_t checksum(std::uint32_t address, Word word) {
+    std::uint64_t mixed = (std::uint64_t{address} << 18U | word.value()) + 0x9E3779B97F4A7C15U;
+    mixed = (mixed ^ mixed >> 30U) * 0xBF58476D1CE4E5B9U;
+    mixed = (mixed ^ mixed >> 27U) * 0x94D049BB133111EBU;
+    return mixed ^ mixed >> 31U;
+  }
+  // Over the sectors of the image that the run has not written: a snapshot needs those, and holds the others.
+  [[nodiscard]] std::uint64_t sum_of_other_sectors() const {
+    std::uint64_t sum = sum_;
+    if (!attached()) return sum;
+    for (const Sector& sector : changed_) {
+      for (std::uint32_t n = 0; n < rb09::words; ++n) {
+        const std::uint32_t address = sector.number * rb09::words + n;
+        sum -= checksum(address, image_[address]);
+      }
+    }
+    return sum;
+  }
   [[nodiscard]] std::vector<Sector>::const_iterator sector_of(std::uint32_t address) const {
     return std::lower_bound(changed_.begin(), changed_.end(), address / rb09::words,
                             [](const Sector& sector, std::uint32_t number) { return sector.number < number; });
@@ -312,7 +332,7 @@ class Rb09 final : public core::IotDevice {
   rb09::Choices choices_;
   Address core_mask_;
   std::vector<Word> image_;  // empty: no disk in the drive
-  std::uint32_t number_ = 0;
+  std::uint64_t sum_ = 0;  // of all words of the image
   std::uint32_t locks_ = 0;  // one bit per ten tracks, the first lowest
   std::vector<Sector> changed_;
   std::uint32_t status_ = 0;  // without the error bit

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "../core/iot_device.hpp"
+#include "../core/key_polls.hpp"
 #include "../core/state_visitor.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
@@ -40,17 +41,18 @@ class Keyboard final : public core::IotDevice {
   void send(core::Instant when, std::uint8_t code) {
     const core::Instant line_free = keys_.empty() ? when : keys_.back().arrives;
     keys_.push_back({std::max(when, line_free) + character_, code});
-    polled_ = false;
+    polls_.forget();
   }
 
   // Pulse 4 of this code is IORS, which the machine executes.
   void iot(core::Instant now, std::uint32_t word, core::IotReply& reply) override {
     advance(now);
     reply.test(word, flag_);
-    if ((word & 01U) != 0 && !flag_) polled_ = true;
+    if ((word & 01U) != 0 && !flag_) polls_.add();
     if ((word & 02U) != 0) {
       reply.collect(core::Word18(buffer_));
-      flag_ = polled_ = false;
+      flag_ = false;
+      polls_.forget();
     }
     reply.answered |= word & 02U;
   }
@@ -67,12 +69,14 @@ class Keyboard final : public core::IotDevice {
   [[nodiscard]] std::uint32_t status(core::Instant now) override { return advance(now), flag_ ? status::keyboard : 0U; }
   void clear_flags(core::Instant now) override {
     advance(now);
-    flag_ = polled_ = false;
+    flag_ = false;
+    polls_.forget();
   }
 
   [[nodiscard]] std::uint8_t buffer() const { return buffer_; }
-  // The program waits for a key: a skip test has found the flag down since a key was last pressed or read.
-  [[nodiscard]] bool polled() const { return polled_; }
+  // A skip test has found the flag down since a key was last pressed or read.
+  [[nodiscard]] bool polled() const { return polls_.any(); }
+  void tell_polls(core::KeyPollListener* listener) { polls_.tell(listener); }
   // Every key pressed has been sent and read.
   [[nodiscard]] bool all_read() const { return next_ == keys_.size() && !flag_; }
 
@@ -87,7 +91,7 @@ class Keyboard final : public core::IotDevice {
     visit.count("next", next_, 1);
     visit("buffer", buffer_);
     visit("flag", flag_);
-    visit("asked", polled_);
+    visit("asked", polls_.state());
     visit.require(next_ <= keys_.size(), "next", "no more than the number of keys");
   }
 
@@ -102,7 +106,7 @@ class Keyboard final : public core::IotDevice {
   std::size_t next_ = 0;
   std::uint8_t buffer_ = 0;
   bool flag_ = false;
-  bool polled_ = false;  // since the last key was pressed or read
+  core::KeyPolls polls_;
 };
 
 class Printer final : public core::IotDevice {

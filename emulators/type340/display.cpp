@@ -34,7 +34,10 @@ void Display::iot(core::Instant now, std::uint32_t word, core::IotReply& reply) 
       break;
     case 006:
       reply.test(word, stop_interrupt(now));
+      if ((word & 01U) != 0 && registers_.stop && !registers_.stop_interrupt()) ++counters_.asked_in_vain;
       if (!acts) break;
+      if (!reads && (address_counter(now).value() & ~reply.ac.value() & Registers::address_mask) != 0 && reply.ac.value() != 0)
+        ++counters_.starts_ored;
       start(now, (reads ? reply.ac : reply.ac | address_counter(now)).value());
       reply.answered |= word & 06U;
       break;
@@ -64,6 +67,7 @@ void Display::start(core::Instant now, std::uint32_t address) {
   pass_open_ = true;
   start_address_ = registers_.address;
   ++counters_.passes_started;
+  counters_.asked_in_vain = 0;
   counters_.previous_start = counters_.last_start;
   counters_.last_start = now;
   strokes_.begin_pass(now);
@@ -177,6 +181,8 @@ void Display::visit_state(core::StateVisitor& visit) {
   visit("edges", counters_.edges);
   visit("characters_met", counters_.characters_met);
   visit("subroutines_met", counters_.subroutines_met);
+  visit("asked_in_vain", counters_.asked_in_vain);
+  visit("starts_ored", counters_.starts_ored);
   visit("last_start", counters_.last_start);
   visit("previous_start", counters_.previous_start);
   const bool draws_stroke = delays_.runs(Delay::stroke_settle) || delays_.runs(Delay::stroke_flash);

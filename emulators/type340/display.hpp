@@ -72,6 +72,8 @@ struct Counters {
   std::uint64_t edges = 0;           // edges that ended a pass, in vector or increment mode
   std::uint64_t characters_met = 0;  // words of mode 3 without the Type 342: the display hangs
   std::uint64_t subroutines_met = 0;  // words of mode 7 without the Type 347, likewise
+  std::uint64_t asked_in_vain = 0;  // IDSI since the display was stopped by a word that asks for no stop interrupt
+  std::uint64_t starts_ored = 0;    // 700604 that started at another address than that in AC
   core::Instant last_start = core::never;      // never: no pass yet
   core::Instant previous_start = core::never;  // the one before
 };

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <exception>
 #include <new>
@@ -11,6 +12,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -124,10 +126,12 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   return error.what();
 }
 
-// An empty value would have the effect of an omitted option: `--at "$UNSET"` must not silently draw another picture.
+// An empty value would have the effect of an omitted option: `--at "$UNSET"` must not silently draw another picture. But a
+// text that is typed, or waited for, may be empty.
 void reject_empty_arguments(int argc, char** argv) {
+  constexpr std::array<std::string_view, 3> texts{"--expect", "--send", "--cpm-args"};
   for (int i = 1; i < argc; ++i) {
-    if (argv[i][0] != '\0') continue;
+    if (argv[i][0] != '\0' || std::find(texts.begin(), texts.end(), argv[i - 1]) != texts.end()) continue;
     throw base::usage_error("found an empty argument after \"" + std::string(argv[i - 1]) +
                                        "\", expected a value");
   }

@@ -61,6 +61,24 @@ base::Result<Lesson> explain_scene(const Explainer& explainer, const scene::Load
   return explainer.scene(source.scene, camera, cells ? &*cells : nullptr);
 }
 
+std::optional<scene::CellComplex> cells_of_search(const scene::LoadedScene& source) {
+  if (!source.cells) return scene::own_cells(source);
+  const auto lines = real_lines(*source.cells, source.scene.camera);
+  scene::CellComplex cells = scene::complex_of(*source.cells, lines ? *lines : source.scene);
+  // From inside, the outer box is opaque.
+  for (scene::ComplexCell& cell : cells.cells) {
+    const auto first = cells.opening_numbers.begin() + cell.first_opening;
+    const auto inner = std::stable_partition(first, first + cell.opening_count, [&](std::uint32_t n) {
+      return cells.openings[n].cells[0] != scene::outside && cells.openings[n].cells[1] != scene::outside;
+    });
+    cell.opening_count = static_cast<std::uint32_t>(inner - first);
+  }
+  std::erase_if(cells.openings, [](const scene::ComplexOpening& opening) {
+    return opening.cells[0] == scene::outside || opening.cells[1] == scene::outside;
+  });
+  return cells;
+}
+
 std::span<const Explainer> explainers() { return rows; }
 
 const Explainer* find_explainer(std::string_view algorithm) {

@@ -1,6 +1,7 @@
 // The list of lessons, one for each algorithm. To add one, add a row to explain.cpp and a source to this folder.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -30,6 +31,9 @@ struct Explainer {
 // that the PDP-7 program draws: the real lines of the matter, with those of the outer box, without the joints of solids.
 // `explainer` has the function `scene`, with the same preconditions.
 [[nodiscard]] base::Result<Lesson> explain_scene(const Explainer& explainer, const scene::LoadedScene& source, const scene::PolyCamera& camera);
+// The cells that came with a scene; nullopt if there are none. For a cell scene they have what a search from inside uses: the
+// real lines, and no portals that lead out of the outer box.
+[[nodiscard]] std::optional<scene::CellComplex> cells_of_search(const scene::LoadedScene& source);
 // Null if the name is unknown.
 [[nodiscard]] const Explainer* find_explainer(std::string_view algorithm);
 

@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "host/algorithms/jones/sight_plane.hpp"
 #include "host/algorithms/jones/trace.hpp"
 #include "host/algorithms/jones/visible_edges.hpp"
+#include "host/explain/cell_shapes.hpp"
 #include "host/explain/stage.hpp"
 #include "host/scene/cells/decompose.hpp"
 
@@ -20,22 +23,13 @@ using algorithms::jones::PortalTest;
 using Planes = std::vector<std::array<double, 4>>;
 
 constexpr std::size_t plan = 1;
+constexpr std::size_t graph = 2;
 // In a scene with more cells, the plan numbers only the cells that a caption names.
 constexpr std::size_t most_numbered_cells = 40;
+// How far from its cell's node an avenue's arrow begins and ends, as a part of the sheet's width.
+constexpr double node_radius = 0.022;
 // A caption names at most this many of the portals that face away.
 constexpr std::size_t most_named_portals = 8;
-
-// Computes the intersection of three planes; false if it is not one point.
-bool intersect_planes(const std::array<double, 4>& a, const std::array<double, 4>& b, const std::array<double, 4>& c, Space& point) {
-  const auto minor = [](const auto& u, const auto& v, std::size_t i, std::size_t j) { return u[i] * v[j] - u[j] * v[i]; };
-  const Space bc{minor(b, c, 1, 2), minor(b, c, 2, 0), minor(b, c, 0, 1)};
-  const Space ca{minor(c, a, 1, 2), minor(c, a, 2, 0), minor(c, a, 0, 1)};
-  const Space ab{minor(a, b, 1, 2), minor(a, b, 2, 0), minor(a, b, 0, 1)};
-  const double volume = a[0] * bc[0] + a[1] * bc[1] + a[2] * bc[2];
-  if (volume == 0) return false;
-  for (std::size_t i = 0; i < 3; ++i) point[i] = (a[3] * bc[i] + b[3] * ca[i] + c[3] * ab[i]) / volume;
-  return true;
-}
 
 // "Portal 3", "Portals 3 and 5", "Portals 3, 5 and 7".
 std::string portal_names(const std::vector<std::uint32_t>& portals) {
@@ -52,10 +46,66 @@ bool leads_outside(const scene::ComplexOpening& opening) {
   return opening.cells[0] == scene::outside || opening.cells[1] == scene::outside;
 }
 
+// The graph of the cells (Fig. 3): a node for each cell, where an oblique view of the scene shows its middle, and an arc for
+// each pair of cells that portals join.
+class CellGraph {
+ public:
+  CellGraph(const scene::CellComplex& complex, const scene::PolyCamera& camera) {
+    const ObliqueView view(camera);
+    for (scene::CellNumber cell = 0; cell < complex.cells.size(); ++cell) places_.push_back(view.at(middle_of(edges_of(complex, cell))));
+    if (!places_.empty()) low_ = high_ = places_.front();
+    for (const Point& place : places_)
+      for (std::size_t a = 0; a < 2; ++a) {
+        low_[a] = std::min(low_[a], place[a]);
+        high_[a] = std::max(high_[a], place[a]);
+      }
+    size_ = std::max({high_[0] - low_[0], high_[1] - low_[1], 1.0});
+    for (std::size_t a = 0; a < 2; ++a) {
+      low_[a] -= size_ * 0.12;
+      high_[a] += size_ * 0.12;
+    }
+    for (const scene::ComplexOpening& opening : complex.openings)
+      if (!leads_outside(opening)) arcs_.insert(std::minmax(opening.cells[0], opening.cells[1]));
+  }
+
+  [[nodiscard]] Sheet sheet(std::string title) const { return {std::move(title), low_, high_}; }
+  [[nodiscard]] std::vector<Mark> arcs() const {
+    std::vector<Mark> marks;
+    for (const auto& [from, to] : arcs_) marks.push_back(explain::line(Look::faint, {places_[from], places_[to]}));
+    return marks;
+  }
+  [[nodiscard]] Mark node(Look look, scene::CellNumber cell) const { return dot(look, places_[cell]); }
+  [[nodiscard]] Mark number(Look look, scene::CellNumber cell) const { return text(look, places_[cell], std::to_string(cell)); }
+  // An arrow of an avenue of sight (Fig. 5) from node to node; nothing if they are too close together.
+  [[nodiscard]] std::vector<Mark> avenue(Look look, scene::CellNumber from, scene::CellNumber to) const {
+    const Point& a = places_[from];
+    const Point& b = places_[to];
+    const Point way{b[0] - a[0], b[1] - a[1]};
+    const double length = std::sqrt(way[0] * way[0] + way[1] * way[1]);
+    const double radius = size_ * node_radius;
+    if (length <= 3 * radius) return {};
+    // Beside the arc, so that an avenue back is seen, too.
+    const auto at = [&](double along, double left) {
+      return Point{a[0] + (way[0] * along - way[1] * left) / length, a[1] + (way[1] * along + way[0] * left) / length};
+    };
+    const double beside = radius * 0.4;
+    const double end = length - radius;
+    return {explain::line(look, {at(radius, beside), at(end, beside)}),
+            explain::line(look, {at(end - radius, beside + radius * 0.6), at(end, beside), at(end - radius, beside - radius * 0.6)})};
+  }
+
+ private:
+  std::vector<Point> places_;  // by cell
+  std::set<std::pair<scene::CellNumber, scene::CellNumber>> arcs_;
+  double size_ = 1;
+  Point low_{};
+  Point high_{};
+};
+
 class JonesRecorder final : public algorithms::jones::Trace {
  public:
-  JonesRecorder(const scene::CellComplex& complex, const ImageStage& stage, const PlanStage& ground, const scene::PolyCamera& camera, Steps& steps)
-      : complex_(complex), stage_(stage), ground_(ground), steps_(steps), sight_(camera), eye_(space(camera.eye)), perspective_(camera.perspective) {
+  JonesRecorder(const scene::CellComplex& complex, const ImageStage& stage, const PlanStage& ground, const CellGraph& nodes, const scene::PolyCamera& camera, Steps& steps)
+      : complex_(complex), stage_(stage), ground_(ground), nodes_(nodes), steps_(steps), sight_(camera), eye_(space(camera.eye)), perspective_(camera.perspective) {
     count();
   }
 
@@ -77,7 +127,8 @@ class JonesRecorder final : public algorithms::jones::Trace {
     if (outside) whole.push_back(area(Look::mask, stage_.region({})));
     steps_.add(std::move(where), "Fig. 4 and 5, avenues of sight", {{image, "mask", std::move(whole)},
                                   {plan, "eye", std::move(eye)},
-                                  {plan, "numbers", outside ? std::vector<Mark>() : numbers({cells.front()})}});
+                                  {plan, "numbers", outside ? std::vector<Mark>() : numbers({cells.front()})},
+                                  {graph, "now", outside ? std::vector<Mark>() : std::vector<Mark>{nodes_.node(Look::waiting, cells.front())}}});
   }
 
   void entered(scene::CellNumber cell, std::uint32_t depth, std::span<const Plane> mask) override {
@@ -103,8 +154,12 @@ class JonesRecorder final : public algorithms::jones::Trace {
                                          : fmt::format("It is {} portal{} from the eye and is seen through the mask only", passed, passed == 1 ? "" : "s");
     const std::size_t lines = complex_.lines_of(complex_.cells[cell]).size();
     std::vector<Layer> changes{{image, "mask", std::move(here)}, {image, "portal", {}}, {image, "line", {}}, {image, "numbers", label_in_image_},
-                               {plan, "portal", {}}, cell_in_plan(cell), {plan, "numbers", numbers({cell})}};
-    if (left != cell) changes.push_back(cell_in_plan(left));
+                               {plan, "portal", {}}, cell_in_plan(cell), {plan, "numbers", numbers({cell})},
+                               {graph, "now", {}}, cell_in_graph(cell)};
+    if (left != cell) {
+      changes.push_back(cell_in_plan(left));
+      changes.push_back(cell_in_graph(left));
+    }
     steps_.add(fmt::format("Cell {} is entered. {}{}. It has {} line{} and {} portal{} to other cells.", cell,
                            chosen ? "Of the cells that wait the last one comes first. " : "", seen, lines, lines == 1 ? "" : "s", portals,
                            portals == 1 ? "" : "s"),
@@ -153,12 +208,16 @@ class JonesRecorder final : public algorithms::jones::Trace {
       }
     }
     const std::string from = in_cell_ ? name_of(cell_) : "outside";
+    std::vector<Layer> changes{{image, "portal", std::move(in_image)},
+                               {image, "numbers", std::move(image_numbers)},
+                               {plan, "portal", std::move(in_plan)},
+                               cell_in_plan(beyond),
+                               {plan, "numbers", std::move(plan_numbers)},
+                               cell_in_graph(beyond)};
+    if (result == PortalTest::waits && in_cell_)
+      changes.push_back({graph, fmt::format("avenue {} {}", cell_, beyond), nodes_.avenue(Look::seen, cell_, beyond)});
     steps_.add(fmt::format("Portal {} leads from {} to cell {}. {}", number, from, beyond, what), "Fig. 4 and 5, avenues of sight",
-               {{image, "portal", std::move(in_image)},
-                {image, "numbers", std::move(image_numbers)},
-                {plan, "portal", std::move(in_plan)},
-                cell_in_plan(beyond),
-                {plan, "numbers", std::move(plan_numbers)}});
+               std::move(changes));
   }
 
   // The portals of a cell that are not passed form one step, after those that are passed.
@@ -210,7 +269,7 @@ class JonesRecorder final : public algorithms::jones::Trace {
     flush();
     in_cell_ = false;
     std::vector<Layer> changes{{image, "mask", {}}, {image, "portal", {}}, {image, "line", {}}, {image, "numbers", {}}, {image, "seen", std::move(seen)},
-                               {plan, "portal", {}}, cell_in_plan(cell_), {plan, "numbers", {}}};
+                               {plan, "portal", {}}, cell_in_plan(cell_), {plan, "numbers", {}}, cell_in_graph(cell_)};
     for (std::size_t n = 0; n < seen_layers_; ++n) changes.push_back({image, seen_layer(n), {}});
     steps_.add("No cell waits: the picture is complete. Cells that cannot be seen were never entered, so their number costs nothing.",
                "Fig. 5, avenues of sight", std::move(changes));
@@ -230,12 +289,22 @@ class JonesRecorder final : public algorithms::jones::Trace {
     return marks;
   }
 
+  // The nodes of the graph with their numbers; no numbers for a scene of many cells.
+  [[nodiscard]] std::vector<Mark> all_nodes() const {
+    std::vector<Mark> marks = nodes_.arcs();
+    for (scene::CellNumber cell = 0; cell < complex_.cells.size(); ++cell) {
+      marks.push_back(nodes_.node(Look::faint, cell));
+      if (complex_.cells.size() <= most_numbered_cells) marks.push_back(nodes_.number(Look::plain, cell));
+    }
+    return marks;
+  }
+
  private:
   struct PortalMarks {
     std::vector<Mark> in_image, image_numbers, in_plan, plan_numbers;
   };
   void add_portal(PortalMarks& marks, std::uint32_t number) const {
-    const std::vector<Space> corners = corners_of(number);
+    const std::vector<Space> corners = corners_of(complex_, number);
     const std::string name = fmt::format("portal {}", number);
     stage_.add_area(marks.in_image, Look::other, corners);
     stage_.add_label(marks.image_numbers, Look::other, corners, name);
@@ -253,16 +322,6 @@ class JonesRecorder final : public algorithms::jones::Trace {
     return {sign * static_cast<double>(plane.normal[0]), sign * static_cast<double>(plane.normal[1]), sign * static_cast<double>(plane.normal[2]),
             sign * static_cast<double>(plane.offset)};
   }
-  [[nodiscard]] std::vector<Space> corners_of(std::uint32_t number) const {
-    const scene::ComplexOpening& opening = complex_.openings[number];
-    const auto sides = complex_.sides_of(opening);
-    std::vector<Space> corners;
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-      Space corner{};
-      if (intersect_planes(plane_of(opening.plane), plane_of(sides[i].plane), plane_of(sides[(i + 1) % sides.size()].plane), corner)) corners.push_back(corner);
-    }
-    return corners;
-  }
   static std::string name_of(scene::CellNumber cell) { return fmt::format("cell {}", cell); }
   [[nodiscard]] std::vector<Point> outline_in_plan(scene::CellNumber cell) const {
     Planes planes;
@@ -279,6 +338,18 @@ class JonesRecorder final : public algorithms::jones::Trace {
     if (!here && visited_.count(cell) != 0) add(Look::seen);
     if (std::find(waiting_.begin(), waiting_.end(), cell) != waiting_.end()) add(Look::waiting);
     if (here) add(Look::now);
+    return layer;
+  }
+  // The same in the graph.
+  [[nodiscard]] Layer cell_in_graph(scene::CellNumber cell) const {
+    Layer layer{graph, name_of(cell), {}};
+    if (in_cell_ && cell == cell_) {
+      layer.marks.push_back(nodes_.node(Look::now, cell));
+    } else if (std::find(waiting_.begin(), waiting_.end(), cell) != waiting_.end()) {
+      layer.marks.push_back(nodes_.node(Look::waiting, cell));
+    } else if (visited_.count(cell) != 0) {
+      layer.marks.push_back(nodes_.node(Look::seen, cell));
+    }
     return layer;
   }
   void add_label_in_plan(std::vector<Mark>& marks, Look look, scene::CellNumber cell, std::string words) const {
@@ -304,6 +375,7 @@ class JonesRecorder final : public algorithms::jones::Trace {
   const scene::CellComplex& complex_;
   const ImageStage& stage_;
   const PlanStage& ground_;
+  const CellGraph& nodes_;
   Steps& steps_;
   algorithms::jones::Sight sight_;
   Space eye_;
@@ -336,17 +408,20 @@ base::Result<Lesson> explain_jones(const scene::PolyScene& scene, const scene::P
   Lesson lesson{"jones", "Jones 1971: from cell to cell through portals", scene.name, {}, {}};
   const ImageStage stage(scene, camera);
   const PlanStage ground(scene, camera);
-  lesson.sheets = {stage.sheet("The image"), ground.sheet("The cells from above; the arrow is the direction of view")};
+  const CellGraph nodes(*given, camera);
+  lesson.sheets = {stage.sheet("The image"), ground.sheet("The cells from above; the arrow is the direction of view"),
+                   nodes.sheet("The graph: a node for each cell, a line for each portal; arrows are avenues of sight")};
   Steps steps(lesson);
-  JonesRecorder recorder(*given, stage, ground, camera, steps);
+  JonesRecorder recorder(*given, stage, ground, nodes, camera, steps);
   const auto& openings = given->openings;
   const auto portals = openings.size() - static_cast<std::size_t>(std::count_if(openings.begin(), openings.end(), leads_outside));
   steps.add(fmt::format("Space is cut into {} convex cells without matter, joined by {} portals. What is seen from the eye is found by walking along "
                         "its lines of sight, from cell to cell.",
                         given->cells.size(), portals),
-            "Fig. 4 and 5, avenues of sight", {{image, "wire", stage.wire_frame()},
+            "Fig. 3, 4 and 5, avenues of sight", {{image, "wire", stage.wire_frame()},
                                                {plan, "wire", ground.wire_frame()},
-                                               {plan, "all cells", recorder.all_cells()}});
+                                               {plan, "all cells", recorder.all_cells()},
+                                               {graph, "all cells", recorder.all_nodes()}});
   auto view = algorithms::jones::visible_edges(*given, camera, recorder);
   if (!view) return std::move(view.error());
   std::vector<Mark> seen;

@@ -128,10 +128,11 @@ class Views::Work {
                          .kind = base::ErrorKind::usage};
     if (!watch.go_on(0.6)) return base::cancelled();
     const bool by_cells = source_.decomposition && algorithm_.prepare_cells != nullptr;
+    const std::optional<picture::EdgeChoice> choice = matter_ ? std::nullopt : choose_edges();
     std::optional<base::Result<registry::PreparedScene>> made;
     base::for_parts(std::min(options_.jobs, 2U), 2, [&](std::size_t, std::size_t begin, std::size_t end) {
-      if (begin == 0 && !matter_) choose_edges();
-      if (end == 2) made = by_cells ? algorithm_.prepare_cells(source_.decomposition->complex) : prepared(scene());
+      if (begin == 0 && choice) chooser_.emplace(scene(), *choice, options_.jobs);
+      if (end == 2) made = by_cells ? algorithm_.prepare_cells(source_.decomposition->complex) : prepared(scene(), matter_ || choice);
     });
     if (options_.strokes || options_.layers == Layers::body) origins_.emplace(scene());
     if (!watch.go_on(1)) return base::cancelled();
@@ -212,22 +213,22 @@ class Views::Work {
       own_scene_ = scene::with_crossings(source_.scene, options_.jobs);
   }
 
-  void choose_edges() {
+  // nullopt: all edges.
+  std::optional<picture::EdgeChoice> choose_edges() {
     seams_ = source_.scene.surfaces.empty() && !options_.edges.are_given();
     auto choice = seams_ ? std::nullopt : edge_choice(options_.edges, scene());
     picture::EdgeChoice all = *picture::edge_choice_named("all");
     all.crease = options_.edges.crease.value_or(source_.scene.surfaces.empty() ? 0 : all.crease);
     if (seams_ && has_free_lines()) choice = all;
     chosen_by_user_ = choice.has_value();
-    if (options_.strokes && !choice) choice = all;
-    if (choice) chooser_.emplace(scene(), *choice, options_.jobs);
+    return options_.strokes && !choice ? all : choice;
   }
 
   void note(const std::string& text) { notes_.push_back(fmt::format("{}: {}", source_.name, text)); }
 
-  [[nodiscard]] base::Result<registry::PreparedScene> prepared(const scene::PolyScene& of) const {
-    return options_.jobs > 1 && algorithm_.prepare_threads != nullptr ? algorithm_.prepare_threads(of, options_.jobs)
-                                                                      : algorithm_.prepare(of);
+  // For views of chosen edges, or of all.
+  [[nodiscard]] base::Result<registry::PreparedScene> prepared(const scene::PolyScene& of, bool of_chosen) const {
+    return algorithm_.prepare_threads != nullptr ? algorithm_.prepare_threads(of, options_.jobs, of_chosen) : algorithm_.prepare(of);
   }
   // Whether there are lines that are not sides of faces: intersections of bodies, and wires.
   [[nodiscard]] bool has_free_lines() const { return !scene().crossings.empty() || !scene().wires.empty(); }
@@ -413,7 +414,7 @@ class Views::Work {
     wanted.cut_material = options_.cut_material;
     const auto hatching = picture::hatch(scene(), camera, window, units, wanted);
     if (!hatching) return in_file(hatching.error(), "hatch");
-    const auto lines = prepared(hatching->scene);
+    const auto lines = prepared(hatching->scene, true);
     if (!lines) return in_file(lines.error(), source_.name);
     const auto seen = registry::view_of(*lines, camera, hatching->lines);
     if (!seen) return in_file(seen.error(), source_.name);

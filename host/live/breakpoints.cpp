@@ -1,11 +1,56 @@
 #include "host/live/breakpoints.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <array>
 #include <utility>
+
+#include "host/base/number.hpp"
+#include "host/base/text.hpp"
 
 namespace sightline::live {
 
 using machines::Probe;
+
+bool HitCount::holds(std::uint64_t passed) const {
+  switch (test) {
+    case Test::every: return passed % number == 0;
+    case Test::equal: return passed == number;
+    case Test::more: return passed > number;
+    case Test::at_least: return passed >= number;
+    case Test::less: return passed < number;
+    case Test::at_most: return passed <= number;
+  }
+  return true;
+}
+
+base::Result<HitCount> read_hit_count(std::string_view text) {
+  using Test = HitCount::Test;
+  // Longer signs first.
+  constexpr std::array<std::pair<std::string_view, Test>, 7> signs{{{">=", Test::at_least}, {"<=", Test::at_most}, {"==", Test::equal},
+                                                                    {">", Test::more}, {"<", Test::less}, {"=", Test::equal}, {"%", Test::every}}};
+  HitCount count;
+  std::string_view rest = base::without_blanks(text);
+  for (const auto& [sign, test] : signs) {
+    if (!rest.starts_with(sign)) continue;
+    count.test = test;
+    rest = base::without_blanks(rest.substr(sign.size()));
+    break;
+  }
+  const auto number = base::count_number(rest);
+  if (!number) {
+    return base::Error{.found = fmt::format("found \"{}\"", text),
+                       .expected = "a decimal count: 3 or %3 (every third time), =3, >3, >=3, <3 or <=3"};
+  }
+  count.number = *number;
+  const std::uint64_t least = count.test == Test::less ? 2 : count.test == Test::more || count.test == Test::at_least ? 0 : 1;
+  if (count.number < least) {
+    return base::Error{.found = fmt::format("found count {}", base::without_blanks(text)),
+                       .expected = fmt::format("{} or more: the first time has number 1", least)};
+  }
+  return count;
+}
 
 int Breakpoints::add(Breakpoint breakpoint) {
   breakpoint.number = ++last_number_;
@@ -36,9 +81,10 @@ bool Breakpoints::has_conditions() const {
                      [](const Breakpoint& each) { return each.kind == Breakpoint::Kind::condition; });
 }
 
-void Breakpoints::mark(Probe& probe) const {
+void Breakpoints::mark(Probe& probe, bool stops_only) const {
   probe.clear_marks();
   for (const Breakpoint& each : all_) {
+    if (stops_only && !each.log.empty()) continue;
     switch (each.kind) {
       case Breakpoint::Kind::execution:
       case Breakpoint::Kind::memory:
@@ -51,10 +97,14 @@ void Breakpoints::mark(Probe& probe) const {
   }
 }
 
-bool Breakpoints::counts(Breakpoint& breakpoint, const Condition& holds) {
+// Counts a breakpoint that was reached. False: its condition or count does not hold, or it only prints.
+bool Breakpoints::stops(Breakpoint& breakpoint, const Condition& holds, const Log& log) {
   if (breakpoint.kind != Breakpoint::Kind::condition && !breakpoint.condition.empty() && !holds(breakpoint.condition))
     return false;
-  return ++breakpoint.passed % breakpoint.count == 0;
+  if (!breakpoint.count.holds(++breakpoint.passed)) return false;
+  if (breakpoint.log.empty()) return true;
+  log(breakpoint.log);
+  return false;
 }
 
 namespace {
@@ -87,24 +137,25 @@ bool Breakpoints::wants(const Probe::Event& event) const {
          std::any_of(all_.begin(), all_.end(), [&event](const Breakpoint& each) { return matches(each, event); });
 }
 
-std::optional<Breakpoints::Hit> Breakpoints::find_hit(const std::vector<Probe::Event>& events, const Condition& holds) {
+std::optional<Breakpoints::Hit> Breakpoints::find_hit(const std::vector<Probe::Event>& events, const Condition& holds,
+                                                   const Log& log) {
   std::optional<Hit> hit;
   for (const Probe::Event& event : events) {
     if (event.kind == Probe::Kind::condition) continue;
     for (Breakpoint& each : all_)
-      if (matches(each, event) && counts(each, holds) && !hit) hit = {each, event};
+      if (matches(each, event) && stops(each, holds, log) && !hit) hit = {each, event};
   }
   return hit;
 }
 
-std::optional<Breakpoints::Hit> Breakpoints::find_true_condition(const Condition& holds) {
+std::optional<Breakpoints::Hit> Breakpoints::find_true_condition(const Condition& holds, const Log& log) {
   std::optional<Hit> hit;
   for (Breakpoint& each : all_) {
     if (each.kind != Breakpoint::Kind::condition) continue;
     const bool is_true = holds(each.condition);
     const bool became = is_true && !each.was_true;
     each.was_true = is_true;
-    if (became && counts(each, holds) && !hit) hit = {each, std::nullopt};
+    if (became && stops(each, holds, log) && !hit) hit = {each, std::nullopt};
   }
   return hit;
 }

@@ -5,11 +5,24 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "host/base/result.hpp"
 #include "host/machines/probe.hpp"
 
 namespace sightline::live {
+
+// At which matches a breakpoint stops, by their number.
+struct HitCount {
+  enum class Test : std::uint8_t { every, equal, more, at_least, less, at_most };
+  Test test = Test::every;
+  std::uint64_t number = 1;
+
+  [[nodiscard]] bool holds(std::uint64_t passed) const;
+};
+// N or %N (every Nth match), =N, ==N, >N, >=N, <N or <=N, decimal; counts that no match could meet are errors.
+[[nodiscard]] base::Result<HitCount> read_hit_count(std::string_view text);
 
 struct Breakpoint {
   enum class Kind : std::uint8_t { execution, memory, port, interrupt, condition };
@@ -20,10 +33,11 @@ struct Breakpoint {
   std::uint8_t access = machines::Probe::executed;
   std::optional<std::uint32_t> value;  // the value read or written; empty: any
   std::string condition;               // an expression; empty: always
-  std::uint64_t count = 1;             // stops at every `count`-th match
+  HitCount count;
   std::uint64_t passed = 0;
   bool was_true = false;  // for a condition: stops when it becomes true
   std::string text;       // as typed
+  std::string log;        // not empty: prints this, see Debugger::log_text, and does not stop
 };
 
 class Breakpoints {
@@ -43,8 +57,8 @@ class Breakpoints {
   // Whether a breakpoint is a condition, so that the run must check it after each instruction.
   [[nodiscard]] bool has_conditions() const;
 
-  // Marks in the probe what a run is to be watched for.
-  void mark(machines::Probe& probe) const;
+  // Marks in the probe what a run is to be watched for; `stops_only`: not for breakpoints that only print.
+  void mark(machines::Probe& probe, bool stops_only = false) const;
   // Whether the event matches one of them, conditions and counts aside.
   [[nodiscard]] bool wants(const machines::Probe::Event& event) const;
 
@@ -53,13 +67,15 @@ class Breakpoints {
     Breakpoint breakpoint;
     std::optional<machines::Probe::Event> event;
   };
+  // Receives the text of a breakpoint that prints.
+  using Log = std::function<void(const std::string&)>;
   // Counts all breakpoints that the events reach and returns the first one that stops the run.
-  [[nodiscard]] std::optional<Hit> find_hit(const std::vector<machines::Probe::Event>& events, const Condition& holds);
+  [[nodiscard]] std::optional<Hit> find_hit(const std::vector<machines::Probe::Event>& events, const Condition& holds, const Log& log);
   // The first condition that has become true since the last call.
-  [[nodiscard]] std::optional<Hit> find_true_condition(const Condition& holds);
+  [[nodiscard]] std::optional<Hit> find_true_condition(const Condition& holds, const Log& log);
 
  private:
-  static bool counts(Breakpoint& breakpoint, const Condition& holds);
+  static bool stops(Breakpoint& breakpoint, const Condition& holds, const Log& log);
 
   std::vector<Breakpoint> all_;
   int last_number_ = 0;

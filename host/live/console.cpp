@@ -13,6 +13,7 @@
 
 #include "host/base/number.hpp"
 #include "host/base/terminal.hpp"
+#include "host/live/idle_loop.hpp"
 
 namespace sightline::live {
 
@@ -27,10 +28,8 @@ using machines::Stop;
 // The program and its console exchange characters at the ends of slices of emulated time. A slice is a fifth of the time of a
 // teletype's character: too short for a program to notice, and long enough to take no measurable time.
 constexpr std::int64_t slices_a_second = 50;
-// The emulated time after which a run ends if the program waits for a key: after the end of the input, and while a script expects
-// output.
-constexpr std::int64_t slices_after_the_end = slices_a_second;
-constexpr std::int64_t slices_of_patience = 60 * slices_a_second;
+// How long the host waits for a pipe when the program polls but does not wait.
+constexpr int longest_silence = 1000;  // ms
 // The longest delay of a busy host that the machine catches up with.
 constexpr std::chrono::milliseconds most_behind{500};
 
@@ -85,14 +84,14 @@ class Session {
       : machine_(machine), options_(options), person_(person) {
     scripted_ = !options.script.empty();
     steps_.assign(options.script.begin(), options.script.end());
-    send_next();
+    search_output({});
   }
 
   // Passes on what the program has printed; false: nobody reads it.
   [[nodiscard]] bool pass_on_printed() {
     const std::string text = shown_text(machine_.take_printed());
     if (text.empty()) return true;
-    waited_ = 0;
+    idle_loop_.forget();
     if (scripted_) search_output(text);
     return person_.print(text);
   }
@@ -108,10 +107,12 @@ class Session {
     ended_ = !text;
     if (!person_.at_terminal()) {
       for (const char key : keys_of(text.value_or(""), after_return_)) keys_.push_back(key);
+      silence_ = keys_.empty() ? silence_ + milliseconds : 0;
       return std::nullopt;
     }
     if (!text) return Stop{end_of_input, {}};
     const std::size_t end = text->find(ctrl_e);
+    if (!text->empty()) idle_loop_.forget();
     for (const char key : text->substr(0, end)) machine_.type(code_of_key(options_.codes, key));
     return end == std::string::npos ? std::nullopt : std::optional(Stop{stopped_by_ctrl_e, {}});
   }
@@ -121,32 +122,41 @@ class Session {
     if (keys_.empty() || !machine_.wants_key()) return;
     machine_.type(code_of_key(options_.codes, keys_.front()));
     keys_.pop_front();
-    waited_ = 0;
+    idle_loop_.forget();
+    silence_ = 0;
     if (!keys_.empty()) return;
+    expected_since_ = machine_.ticks();
     send_next();
     if (scripted_) search_output({});
   }
 
-  // Counts a slice in which the program asks for a key and there is none; ends the run after too many.
-  [[nodiscard]] std::optional<Stop> wait_for_keys() {
-    if (!keys_.empty() || !machine_.wants_key()) return std::nullopt;
-    ++waited_;
-    if (machine_.waits_for_key()) waited_ = std::max(waited_, slices_of_patience);
-    if (!steps_.empty()) {
-      if (waited_ < slices_of_patience) return std::nullopt;
-      return Stop{end_of_input, missing("the program waits for a key")};
-    }
-    if (scripted_ || ended_) {
-      if (waited_ < slices_after_the_end) return std::nullopt;
-      return Stop{end_of_input, {}};
-    }
-    return std::nullopt;
+  // Runs on while it is examined whether the program only waits. For a pipe this comes before its next key is typed, so that
+  // the time does not depend on when the pipe has the key.
+  [[nodiscard]] std::optional<Stop> look(const Limits& limits) {
+    const bool of_interest = scripted_ ? keys_.empty() : ended_ || !options_.speed;
+    return of_interest ? idle_loop_.look(limits) : std::nullopt;
   }
 
-  // Whether emulated time stops until the input has a key, because the program asks for one and a pipe has none yet.
+  // Ends the run if no more keys will come and the program does nothing but wait for one, or if a text has not been printed in
+  // its time.
+  [[nodiscard]] std::optional<Stop> end_of_waiting() {
+    if (scripted_ && !steps_.empty() && steps_.front().within && keys_.empty()) {
+      const double seconds = static_cast<double>(machine_.ticks() - expected_since_) / static_cast<double>(machine_.ticks_per_second());
+      if (seconds >= *steps_.front().within) {
+        return Stop{end_of_input, missing(fmt::format("--within {:g} is over", *steps_.front().within))};
+      }
+    }
+    if (!(scripted_ || ended_) || !keys_.empty() || !idle_loop_.waits_in_vain()) return std::nullopt;
+    return Stop{end_of_input, steps_.empty() ? std::string() : missing("the program waits for a key")};
+  }
+
+  // Whether emulated time stops until the input has a key, because the program waits for one, or because a pipe may be about
+  // to have the key for which it polls.
   [[nodiscard]] bool must_wait_for_input() const {
-    return !scripted_ && !ended_ && keys_.empty() && machine_.wants_key() &&
-           (machine_.waits_for_key() || (!person_.at_terminal() && !options_.speed));
+    if (scripted_ || ended_ || !keys_.empty() || !machine_.wants_key()) return false;
+    if (machine_.waits_for_key()) return true;
+    if (options_.speed) return false;
+    return idle_loop_.idles() || (!person_.at_terminal() && silence_ < longest_silence);
   }
 
   [[nodiscard]] bool script_done() const { return done_; }
@@ -171,12 +181,14 @@ class Session {
   // Text that is printed while keys are still being typed counts for the text that is expected after them.
   void search_output(std::string_view text) {
     printed_ += text;
+    send_next();
     while (keys_.empty() && !steps_.empty()) {
       const std::size_t found = printed_.find(steps_.front().text);
       if (found == std::string::npos) break;
       printed_.erase(0, found + steps_.front().text.size());
       steps_.pop_front();
       done_ = steps_.empty();
+      expected_since_ = machine_.ticks();
       send_next();
     }
     constexpr std::size_t most_kept = std::size_t{1} << 20;
@@ -195,7 +207,9 @@ class Session {
   std::deque<Step> steps_;
   std::string printed_;    // for a script: everything since the last text that was found
   std::deque<char> keys_;  // to be typed when the program asks
-  std::int64_t waited_ = 0;
+  IdleLoop idle_loop_{machine_};
+  std::int64_t expected_since_ = machine_.ticks();  // the text of the first step: since the text or the keys before it
+  int silence_ = 0;  // for how long the host has waited for a pipe, ms, since its last key
   bool scripted_ = false;
   bool after_return_ = false;
   bool ended_ = false;
@@ -290,9 +304,16 @@ Result<ConsoleOptions> console_options(const Arguments& arguments, bool terminal
   }
   options.codes = *codes;
   for (const Arguments::Step& step : arguments.steps()) {
+    if (step.option == "--within") {
+      if (options.script.empty() || options.script.back().kind != Step::Kind::expect || options.script.back().within)
+        return base::usage_error("--within " + step.text + ": found no --expect before it, expected the one that it limits");
+      const auto seconds = base::fixed_number(step.text, 0, 1e9);
+      if (!seconds) return base::usage_error(fmt::format("--within: found \"{}\", expected seconds of emulated time, such as 90 or 0.5", step.text));
+      options.script.back().within = *seconds;
+      continue;
+    }
     const auto plain = plain_text(step.option, step.text);
     if (!plain) return plain.error();
-    if (plain->empty()) return base::usage_error(step.option + ": found an empty text, expected one");
     options.script.push_back({step.option == "--expect" ? Step::Kind::expect : Step::Kind::send, *plain});
   }
   const std::string& speed = arguments.text("--speed");
@@ -319,13 +340,26 @@ Stop run_console(Machine& machine, const Limits& limits, const ConsoleOptions& o
   Pace pace(machine, options.speed);
   const std::int64_t slice = std::max<std::int64_t>(1, machine.ticks_per_second() / slices_a_second);
   std::optional<Stop> stop;
-  while (!stop) {
-    const std::int64_t now = machine.ticks();
-    const std::int64_t end = limits.until - now > slice ? now + slice : limits.until;
+  const auto next_slice = [&] {
     Limits part = limits;
-    part.until = end;
-    while (!stop && machine.ticks() < end && !machine.waits_for_key()) stop = machine.run(part, false);
-    if (stop && stop->at_until && end < limits.until) stop.reset();
+    if (limits.until - machine.ticks() > slice) part.until = machine.ticks() + slice;
+    return part;
+  };
+  const auto only_slice_over = [&limits](const std::optional<Stop>& why, const Limits& part) {
+    return why && why->at_until && part.until < limits.until;
+  };
+  while (!stop) {
+    const Limits part = next_slice();
+    while (!stop && machine.ticks() < part.until && !machine.waits_for_key()) {
+      stop = session.look(part);
+      if (!stop && machine.ticks() < part.until && !machine.waits_for_key()) stop = machine.run(part, false);
+    }
+    if (only_slice_over(stop, part)) stop.reset();
+    if (!stop) {
+      const Limits next = next_slice();
+      stop = session.look(next);
+      if (only_slice_over(stop, next)) stop.reset();
+    }
     if (!session.pass_on_printed() && !stop) stop = Stop{machines::interrupted, {}};
     if (stop) break;
     if (session.script_done()) return finish(machine, {end_of_input, {}});
@@ -338,7 +372,7 @@ Stop run_console(Machine& machine, const Limits& limits, const ConsoleOptions& o
     } while (!stop && session.must_wait_for_input());
     if (waits) pace.begin();
     session.type();
-    if (!stop) stop = session.wait_for_keys();
+    if (!stop) stop = session.end_of_waiting();
   }
   if (stop->name == stopped_by_ctrl_e) return finish(machine, *stop);
   if (stop->complaint.empty()) stop->complaint = session.missing("the run ended");

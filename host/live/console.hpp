@@ -2,7 +2,8 @@
 // at the speed of the machine or as fast as the host can.
 //
 // The keys of a pipe or a script depend on emulated time only: the next key is typed when the program asks for one and the
-// printer is idle. Such a session is the same each time.
+// printer is idle. Such a session is the same each time. The exception is a pipe that is silent for longer than a second
+// while the program computes and polls: it is not waited for.
 #pragma once
 
 #include <cstdint>
@@ -20,11 +21,13 @@ namespace sightline::live {
 // --- A script ---
 
 // A step of a session: wait until the program has printed a text (expect), or type a text as the program asks for keys (send).
-// If the last step is an `expect`, the run ends when its text has been printed.
+// An empty text has been printed, and is typed, at once. If the last step is an `expect`, the run ends when its text has been
+// printed.
 struct Step {
   enum class Kind : std::uint8_t { expect, send };
   Kind kind;
   std::string text;
+  std::optional<double> within = {};  // of an `expect`: the longest emulated time for it, in seconds
 };
 
 // Replaces the escape sequences \r \n \t \e \\ \NNN (octal) and \xHH in the text of an option.
@@ -38,7 +41,7 @@ struct ConsoleOptions {
   std::vector<Step> script;     // if not empty, standard input is not read
 };
 
-// Reads --console, --speed, --expect and --send. Without --speed, a session with a person at a terminal runs at the machine's
+// Reads --console, --speed, --expect, --within and --send. Without --speed, a session with a person at a terminal runs at the machine's
 // own speed, one with a pipe or a script as fast as possible.
 [[nodiscard]] base::Result<ConsoleOptions> console_options(const machines::Arguments& arguments,
                                                                   bool terminal);
@@ -62,8 +65,8 @@ inline constexpr std::string_view end_of_input = "end_of_input";
 // The complaint of such a stop if only the command `send` types keys.
 inline constexpr std::string_view no_key = "the program waits for a key, and there is none: `send` types keys";
 
-// Runs the machine until it stops, or until Ctrl-E, a signal (base::EndSignals must exist), the end of the input when the
-// program asks for more, or the end of the script.
+// Runs the machine until it stops, or until Ctrl-E, a signal (base::EndSignals must exist), the end of the script, or the end
+// of the input when the program waits for more: in a blocking read, in an idle loop (idle_loop.hpp), or in HLT.
 [[nodiscard]] machines::Stop run_console(machines::Machine& machine, const machines::Limits& limits,
                                             const ConsoleOptions& options, Operator& person);
 

@@ -27,6 +27,7 @@ Debugger::Debugger(const machines::MachineDescription& description, Machine& mac
       host_(std::move(host)),
       past_(description.name, machine),
       key_codes_(description.radix == 8 ? KeyCodes::parity : KeyCodes::ascii),
+      idle_loop_(machine),
       names_{description.radix, [this](std::string_view name) { return value_of(name); },
              [this](std::int64_t at) -> std::optional<std::int64_t> {
                if (at < 0 || at >= machine_.words()) return std::nullopt;
@@ -233,16 +234,59 @@ base::Result<std::uint32_t> Debugger::address_of(std::string_view expression) co
   return static_cast<std::uint32_t>(*value);
 }
 
+std::string Debugger::value_text(std::int64_t value) const {
+  const auto bits = static_cast<std::uint64_t>(value);
+  std::string text = radix() == 16 ? fmt::format("{:X} = ", bits) : radix() == 8 ? fmt::format("{:o} = ", bits) : std::string();
+  text += fmt::format("{}.", value);
+  const std::int64_t sign = std::int64_t{1} << (description_.word_bits - 1);
+  if (value >= sign && value < 2 * sign) text += fmt::format(" = {}. as a word with a sign", value - 2 * sign);
+  if (value >= 0 && value < machine_.words()) {
+    const std::string near = symbols_.near(static_cast<std::uint32_t>(value));
+    if (!near.empty()) text += " = " + near;
+  }
+  return text;
+}
+
+base::Result<std::string> Debugger::log_text(std::string_view text) const {
+  std::string line;
+  while (!text.empty()) {
+    const char next = text.front();
+    text.remove_prefix(1);
+    if (next != '{' && next != '}') {
+      line += next;
+    } else if (text.starts_with(next)) {
+      line += next;
+      text.remove_prefix(1);
+    } else {
+      const std::size_t end = text.find('}');
+      if (next == '}' || end == std::string_view::npos) {
+        return base::Error{.found = fmt::format("found {} alone", next),
+                           .expected = "an expression in braces, such as {pc}; {{ and }} print a brace"};
+      }
+      const auto expression = Expression::read(text.substr(0, end), names_);
+      if (!expression) return expression.error();
+      const auto value = expression->value();
+      const bool fits = value && *value >= 0 && *value < std::int64_t{1} << std::max(description_.word_bits, description_.address_bits);
+      line += !value ? "(" + value.error().message() + ")"
+              : !fits ? fmt::format("{}.", *value)
+              : *value < std::int64_t{1} << description_.word_bits ? word(static_cast<std::uint32_t>(*value))
+                                                                   : address(static_cast<std::uint32_t>(*value));
+      text.remove_prefix(end + 1);
+    }
+  }
+  return line;
+}
+
 // --- Changes ---
 
 void Debugger::put(std::uint32_t at, std::uint32_t word) {
-  inside_.reset();
+  forget_run();
   machine_.put(at, word);
   past_.changed();
 }
 
 void Debugger::set(std::size_t register_number, std::uint32_t value) {
-  inside_.reset();
+  forget_run();
   machine_.set(register_number, value);
   past_.changed();
 }
@@ -254,8 +298,14 @@ void Debugger::set(const Pair& pair, std::uint32_t value) {
 }
 
 void Debugger::start(std::uint32_t at) {
-  inside_.reset();
+  forget_run();
   machine_.start(at);
+  past_.changed();
+}
+
+void Debugger::reset() {
+  forget_run();
+  machine_.reset();
   past_.changed();
 }
 
@@ -302,6 +352,14 @@ void Debugger::show_printed() {
   host_.print(text);
 }
 
+void Debugger::log(const std::string& text) {
+  const auto line = log_text(text);
+  const std::string shown = line ? *line : line.error().message();
+  show_printed();
+  if (host_.log) return host_.log(shown);
+  host_.print(shown + "\n");
+}
+
 Debugger::Reason Debugger::reason_of(const Breakpoints::Hit& hit) const {
   const int number = hit.breakpoint.number;
   if (!hit.event) return {number, fmt::format("breakpoint {}: {}", number, hit.breakpoint.condition)};
@@ -325,6 +383,12 @@ Debugger::Reason Debugger::reason_of(const Breakpoints::Hit& hit) const {
   return {number, text};
 }
 
+// Called when the machine has been changed from outside.
+void Debugger::forget_run() {
+  inside_.reset();
+  idle_loop_.forget();
+}
+
 Halted Debugger::run(const Goal& goal) {
   inside_.reset();
   Limits limits = limits_;
@@ -338,8 +402,9 @@ Halted Debugger::run(const Goal& goal) {
   probe.wants = [this](const Probe::Event& event) { return breakpoints_.wants(event); };
   probe.resume();
   std::optional<Reason> reason;
+  const Breakpoints::Log log = [this](const std::string& text) { this->log(text); };
   const bool for_ever = goal.instructions == Goal{}.instructions && goal.until == Goal{}.until && goal.condition.empty();
-  std::int64_t answered_at = machine_.ticks();  // the last time at which the program was not waiting in vain for a key
+  const bool may_wait = for_ever || goal.ends_in_waiting;
   Stop stop{machines::stopped_by_probe, {}};
   while (!reason && stop.name == machines::stopped_by_probe) {
     type_next();
@@ -351,23 +416,34 @@ Halted Debugger::run(const Goal& goal) {
     constexpr std::int64_t looks_for_keys_a_second = 50;
     if (!keys_.empty())
       part.until = std::min(part.until, machine_.ticks() + machine_.ticks_per_second() / looks_for_keys_a_second);
-    stop = host_.run(machine_, part, [this](std::string_view text) { printed_ += text; });
+    const std::size_t printed = printed_.size();
+    std::optional<Stop> early;
+    const bool only_send_types = may_wait && !host_.person_types && keys_.empty();
+    if (only_send_types && machine_.wants_key()) {
+      if (part.until - machine_.ticks() > machine_.ticks_per_second()) part.until = machine_.ticks() + machine_.ticks_per_second();
+      early = idle_loop_.look(part);
+    }
+    stop = early ? *early : host_.run(machine_, part, [this](std::string_view text) { printed_ += text; });
     const bool part_done = (stop.at_until && machine_.ticks() < limits.until) ||
                            (stop.name == "instruction_limit" && machine_.instructions() < limits.instructions);
     const bool key_due = stop.name == end_of_input && !keys_.empty();
     if (part_done || key_due) stop = {machines::stopped_by_probe, {}};
-    const bool unanswered = host_.nobody_types && for_ever && keys_.empty() && machine_.wants_key();
-    if (!unanswered) answered_at = machine_.ticks();
-    if (stop.name == machines::stopped_by_probe && machine_.ticks() - answered_at >= host_.patience * machine_.ticks_per_second()) {
-      stop = {end_of_input, fmt::format("the program has asked for a key for {} s of its time, and there is none: `send` types keys, and "
-                                        "`run for TIME` runs on without",
-                                        host_.patience)};
+    if (printed_.size() != printed || !keys_.empty()) idle_loop_.forget();
+    const bool could_run_on = stop.name == machines::stopped_by_probe || stop.at_until || stop.name == "instruction_limit";
+    if (could_run_on && probe.events().empty() && only_send_types) {
+      if (idle_loop_.waits_for_ever()) {
+        stop = {end_of_input, std::string(no_key)};
+      } else if (host_.nobody_interrupts && idle_loop_.waits_in_vain(host_.patience)) {
+        stop = {end_of_input, fmt::format("the program has only waited for a key for {} s of its time, and there is none: `send` types "
+                                          "keys, and `run for TIME` runs on without",
+                                          host_.patience)};
+      }
     }
     if (stop.name == machines::stopped_by_probe && host_.interrupted()) stop = {machines::interrupted, {}};
-    if (const auto hit = breakpoints_.find_hit(probe.events(), holds_)) reason = reason_of(*hit);
+    if (const auto hit = breakpoints_.find_hit(probe.events(), holds_, log)) reason = reason_of(*hit);
     probe.resume();
     if (conditions) {
-      if (const auto hit = breakpoints_.find_true_condition(holds_); hit && !reason) reason = reason_of(*hit);
+      if (const auto hit = breakpoints_.find_true_condition(holds_, log); hit && !reason) reason = reason_of(*hit);
       if (!reason && !goal.condition.empty() && holds_(goal.condition)) reason = Reason{0, goal.condition};
     }
   }
@@ -388,6 +464,7 @@ Halted Debugger::run(const Goal& goal) {
   std::replace(name.begin(), name.end(), '_', ' ');
   std::string text = "stopped by " + name;
   if (!stop.complaint.empty()) text += "\n" + stop.complaint;
+  if (machine_.halted() && machine_.instructions() == begun) text += "\nonly an interrupt, `go ADDRESS`, `start` or `reset` ends it";
   return {Halted::Why::machine, 0, text, stop};
 }
 
@@ -453,7 +530,7 @@ base::Result<Halted> Debugger::step_out() {
 // --- The past ---
 
 base::Result<Done> Debugger::back(std::uint64_t instructions) {
-  inside_.reset();
+  forget_run();
   const std::uint64_t reach = past_.reach();
   if (instructions > reach) {
     return base::bad_input(fmt::format("found {} instructions, expected at most {}: the past reaches no further", instructions,
@@ -464,7 +541,7 @@ base::Result<Done> Debugger::back(std::uint64_t instructions) {
 
 base::Result<std::optional<bool>> Debugger::back_to_breakpoint() {
   show_printed();
-  return past_.go_back_to_event([this](Probe& probe) { breakpoints_.mark(probe); }, host_.interrupted);
+  return past_.go_back_to_event([this](Probe& probe) { breakpoints_.mark(probe, true); }, host_.interrupted);
 }
 
 std::vector<Past::Entry> Debugger::history(std::size_t n) {
@@ -512,7 +589,7 @@ machines::Bytes Debugger::save() {
 
 base::Result<Done> Debugger::restore(std::span<const std::uint8_t> snapshot, const std::string& file) {
   auto done = restore_snapshot(description_.name, machine_, snapshot, file);
-  inside_.reset();
+  forget_run();
   if (done) past_.forget();
   return done;
 }

@@ -17,6 +17,7 @@
 #include "host/machines/engine.hpp"
 #include "host/live/breakpoints.hpp"
 #include "host/live/expression.hpp"
+#include "host/live/idle_loop.hpp"
 #include "host/live/keys.hpp"
 #include "host/live/past.hpp"
 #include "host/live/symbols.hpp"
@@ -33,10 +34,15 @@ struct RunHost {
   std::function<bool()> interrupted;
   // Receives what the program prints outside of `run`.
   std::function<void(std::string_view)> print;
-  // Only send() types keys: a run without a goal ends after the program has waited for a key for `patience`.
-  bool nobody_types = false;
+  // `run` passes on the keys of a person. Otherwise only send() types: a run without a goal ends when the program waits for a
+  // key and there is none.
+  bool person_types = false;
+  // Nobody can interrupt a run: it also ends if the program has only waited for `patience` while a clock or a display ran.
+  bool nobody_interrupts = false;
   // In seconds of emulated time; long enough to conclude that the program does nothing but wait.
-  std::int64_t patience = 60;
+  std::int64_t patience = IdleLoop::patience;
+  // Receives the lines of breakpoints that print, without a line end; empty: `print` receives them.
+  std::function<void(std::string_view)> log = {};
 };
 
 // Where a run stops, besides breakpoints and the limits of the machine.
@@ -44,6 +50,7 @@ struct Goal {
   std::uint64_t instructions = std::numeric_limits<std::uint64_t>::max();  // from here
   std::int64_t until = std::numeric_limits<std::int64_t>::max();           // in the machine's unit
   std::string condition = {};  // stops when it becomes true; checked after each instruction
+  bool ends_in_waiting = false;  // stops when the program waits for a key that does not come, as a run without a goal does
 };
 
 // Why a run has stopped.
@@ -120,6 +127,11 @@ class Debugger {
   // Names are registers (on the 8080 also pairs), time, instructions, conditions and symbols.
   [[nodiscard]] base::Result<std::int64_t> evaluate(std::string_view expression) const;
   [[nodiscard]] base::Result<std::uint32_t> address_of(std::string_view expression) const;
+  // A value in all forms: in the radix, in decimal, as a word with a sign, as an address near a symbol. "108 = 264. = LOOP"
+  [[nodiscard]] std::string value_text(std::int64_t value) const;
+  // A text with the values of the expressions that it has in braces: "ac is {ac}"; {{ and }} are braces. An error: an expression or a
+  // brace is wrong.
+  [[nodiscard]] base::Result<std::string> log_text(std::string_view text) const;
 
   // --- Changes; going back restores them ---
 
@@ -127,6 +139,8 @@ class Debugger {
   void set(std::size_t register_number, std::uint32_t value);
   void set(const Pair& pair, std::uint32_t value);
   void start(std::uint32_t at);
+  // Resets the machine without starting it: see machines::Machine.
+  void reset();
   // Assembles one instruction, which may use the symbols, at an address, in the dialect of set_dialect().
   [[nodiscard]] base::Result<base::Done> put_instruction(std::uint32_t at, std::string_view text);
   // Called after any other change of the machine from outside.
@@ -196,6 +210,8 @@ class Debugger {
   [[nodiscard]] Halted run_to_return(const Frame& frame);
   [[nodiscard]] std::uint32_t behind(std::uint32_t at, std::uint32_t words) const;
   void type_next();
+  void log(const std::string& text);
+  void forget_run();
 
   const machines::MachineDescription& description_;
   machines::Machine& machine_;
@@ -216,6 +232,7 @@ class Debugger {
     std::int64_t at;
   };
   std::optional<Inside> inside_;
+  IdleLoop idle_loop_;
   Names names_;
   std::map<std::string, std::optional<Expression>, std::less<>> conditions_;  // by text
   Breakpoints::Condition holds_;

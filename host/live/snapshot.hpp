@@ -27,7 +27,7 @@ namespace sightline::live {
 
 using base::Bytes;
 
-inline constexpr std::uint32_t snapshot_version = 5;
+inline constexpr std::uint32_t snapshot_version = 6;
 
 struct Snapshot {
   std::string machine;                     // "pdp7"

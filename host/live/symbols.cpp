@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
-#include <set>
+#include <algorithm>
+#include <cctype>
+
 #include "host/base/number.hpp"
 #include "host/base/text.hpp"
 
@@ -17,27 +19,75 @@ std::string Symbols::key(std::string_view name) const {
   return base::lower_case(radix_ == 8 ? name.substr(0, significant) : name);
 }
 
+namespace {
+
+constexpr std::size_t sym_digits = 4;
+
+bool is_sym_address(std::string_view word) {
+  return word.size() == sym_digits &&
+         std::all_of(word.begin(), word.end(), [](char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; });
+}
+
+// No name begins with a digit. Whether FACE is a name or an address depends on what follows.
+bool begins_as_sym(std::string_view text) {
+  std::string_view rest = without_blanks(text);
+  std::string_view line = take_line(rest);
+  const std::string_view first = take_word(line);
+  if (first.empty()) return false;
+  if (std::isdigit(static_cast<unsigned char>(first.front())) != 0) return true;
+  return is_sym_address(first) && !base::unsigned_number(line, 16);
+}
+
+}  // namespace
+
+void Symbols::add(std::string_view name, std::uint32_t value, std::set<std::string>& met) {
+  values_[std::string(name)] = value;
+  std::optional<std::uint32_t>& same = keys_[key(name)];
+  if (met.insert(key(name)).second) {
+    same = value;
+  } else if (same != value) {
+    same.reset();
+  }
+  by_value_.emplace(value, name);
+}
+
+base::Result<base::Done> Symbols::add_sym(std::string_view text) {
+  std::set<std::string> met;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    std::string_view line = without_blanks(take_line(text));
+    while (!line.empty()) {
+      const std::string_view address = take_word(line);
+      const std::string_view name = take_word(line);
+      const bool is_name = !name.empty() && std::isdigit(static_cast<unsigned char>(name.front())) == 0 &&
+                           std::all_of(name.begin(), name.end(), [](char c) { return std::isgraph(static_cast<unsigned char>(c)) != 0; });
+      if (!is_sym_address(address) || !is_name) {
+        return base::Error{.place = fmt::format("line {}", number),
+                           .found = fmt::format("found \"{}{}{}\"", address, name.empty() ? "" : " ", name),
+                           .expected = "an address of four hexadecimal digits and a name, as MAC and LINK write them in a .SYM file"};
+      }
+      add(name, static_cast<std::uint32_t>(*base::unsigned_number(address, 16)), met);
+    }
+  }
+  return base::Done{};
+}
+
 base::Result<base::Done> Symbols::add_table(std::string_view text) {
-  std::set<std::string> met;  // keys of this table: a later table replaces a symbol, a later symbol of the same table does not
+  constexpr char end_of_file = 0x1A;  // of CP/M
+  text = text.substr(0, text.find(end_of_file));
+  if (radix_ == 16 && begins_as_sym(text)) return add_sym(text);
+  std::set<std::string> met;
   for (std::size_t number = 1; !text.empty(); ++number) {
     std::string_view line = take_line(text);
     if (without_blanks(line).empty()) continue;
-    const std::string name(take_word(line));
+    const std::string_view name = take_word(line);
     const auto value = base::unsigned_number(line, radix_);
     if (!value || *value >> 32 != 0) {
       return base::Error{.place = fmt::format("line {}", number),
                          .found = fmt::format("found \"{}\"", without_blanks(line)),
-                         .expected = "NAME VALUE, as `sightline asm --symbols` writes them"};
+                         .expected = radix_ == 16 ? "NAME VALUE, as `sightline asm --symbols` writes them, or ADDRESS NAME of a .SYM file"
+                                                  : "NAME VALUE, as `sightline asm --symbols` writes them"};
     }
-    values_[name] = static_cast<std::uint32_t>(*value);
-    std::optional<std::uint32_t>& same = keys_[key(name)];
-    const bool first = met.insert(key(name)).second;
-    if (first) {
-      same = static_cast<std::uint32_t>(*value);
-    } else if (same != static_cast<std::uint32_t>(*value)) {
-      same.reset();
-    }
-    by_value_.emplace(static_cast<std::uint32_t>(*value), name);
+    add(name, static_cast<std::uint32_t>(*value), met);
   }
   return base::Done{};
 }

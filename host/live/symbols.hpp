@@ -1,4 +1,5 @@
-// The symbols of a program and the lines of its source, from the files of `sightline asm --symbols` and --listing.
+// The symbols of a program and the lines of its source, from the files of `sightline asm --symbols` and --listing, or the .SYM file
+// of a program for CP/M.
 #pragma once
 
 #include <compare>
@@ -6,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +20,9 @@ class Symbols {
  public:
   explicit Symbols(int radix) : radix_(radix) {}
 
-  // Adds lines `NAME VALUE`; they replace symbols of earlier tables. An error names the line.
+  // Adds lines `NAME VALUE`, or a .SYM file; they replace symbols of earlier tables. An error names the line.
+  // A .SYM file, which MAC, RMAC and LINK write for SID and ZSID, has `ADDRESS NAME` with four hexadecimal digits, several on a line,
+  // separated by tabs, and ends at the byte 1A (Digital Research, SID User's Guide, 1978).
   [[nodiscard]] base::Result<base::Done> add_table(std::string_view text);
   // Adds lines `ADDRESS CODE SOURCE`; other lines are ignored.
   void add_listing(std::string_view text);
@@ -47,6 +51,9 @@ class Symbols {
 
  private:
   [[nodiscard]] std::string key(std::string_view name) const;
+  [[nodiscard]] base::Result<base::Done> add_sym(std::string_view text);
+  // `met`: the keys of this table so far. A later table replaces a symbol, a later symbol of the same table does not.
+  void add(std::string_view name, std::uint32_t value, std::set<std::string>& met);
 
   int radix_;
   std::map<std::string, std::uint32_t, std::less<>> values_;  // as written

@@ -303,7 +303,7 @@ void Cpm::type(std::uint8_t code) {
 }
 
 bool Cpm::key_is_there() {
-  if (keys_.empty()) polled_ = true;
+  if (keys_.empty()) polled_ = polled_now_ = true;
   return !keys_.empty();
 }
 

@@ -62,6 +62,8 @@ class Cpm {
   void type(std::uint8_t code);
   [[nodiscard]] bool wants_key() const { return keys_.empty() && (waiting_ != Waiting::no || polled_); }
   [[nodiscard]] bool waits_for_key() const { return keys_.empty() && waiting_ != Waiting::no; }
+  // Whether a poll has found no key since the last call.
+  [[nodiscard]] bool take_poll() { return std::exchange(polled_now_, false); }
   // Processes the keys typed so far. True: the program continues.
   [[nodiscard]] bool resume(Processor processor);
 
@@ -118,6 +120,7 @@ class Cpm {
   std::vector<i8080::Byte> line_;  // the unfinished line of function 10
   Waiting waiting_ = Waiting::no;
   bool polled_ = false;  // the program has polled for a key since the last was typed
+  bool polled_now_ = false;  // the same, since take_poll()
   // The last BDOS function called, and the address of the call, if it ended the run; 0005 if the address is unknown.
   std::uint8_t function_ = 0;
   std::optional<i8080::Address> caller_;

@@ -332,6 +332,11 @@ std::vector<Option> console_options(std::string_view device) {
            .help = "Wait until the program has printed this; --expect and --send in the order of the session",
            .needs = "--console"},
           {.kind = OptionKind::step,
+           .name = "--within",
+           .argument = "SECONDS",
+           .help = "The --expect before it fails after this emulated time",
+           .needs = "--console"},
+          {.kind = OptionKind::step,
            .name = "--send",
            .argument = "KEYS",
            .help = "Type this as the program asks for keys",
@@ -406,6 +411,7 @@ Result<Prepared> prepare(const MachineDescription& description, const Arguments&
     for (const std::string& setting : arguments.list("--set")) {
       if (const auto done = set_register(description, **machine, setting); !done) return done.error();
     }
+    (*machine)->set_beginning((*machine)->get(program_counter(description)));
     const Limits later = from_here(*limits, **machine);
     return Prepared{std::move(*machine), later};
   }
@@ -413,6 +419,7 @@ Result<Prepared> prepare(const MachineDescription& description, const Arguments&
   if (!loaded) return loaded.error();
   if (const auto done = (*machine)->ready(); !done) return done.error();
   if (const auto done = start(description, arguments, *loaded, **machine); !done) return done.error();
+  (*machine)->set_beginning((*machine)->get(program_counter(description)));
   (*machine)->watch_empty_memory(description, loaded->addresses, remedy_for_empty_memory(arguments, *loaded, **machine));
   return Prepared{std::move(*machine), *limits, loaded->warnings};
 }
@@ -463,7 +470,8 @@ std::vector<SourceLine> source_lines(std::span<const assembler::ListingLine> lis
   std::vector<SourceLine> lines;
   for (const assembler::ListingLine& line : listing) {
     const auto address = base::unsigned_number(line.address, radix);
-    if (address && line.line_number != 0)
+    // Labels and directives of the 8080 have an address and no code.
+    if (address && !line.code.empty() && line.line_number != 0)
       lines.push_back({static_cast<std::uint32_t>(*address), line.file, line.line_number});
   }
   return lines;

@@ -41,6 +41,8 @@ constexpr core::TStates time_between_questions{1 << 25};
 // takes longer.
 constexpr core::TStates time_to_first_question{1 << 19};
 constexpr std::size_t most_kept_of_console = std::size_t{1} << 24;
+// A program that takes keys only by interrupt never polls: it gets the next key after the line has been quiet for so long.
+constexpr core::Duration quiet_before_key{200'000'000};
 
 // --- Texts ---
 
@@ -103,7 +105,7 @@ class CpmFront final : public i8080::Front {
 
 // --- The machine ---
 
-class I8080Run final : public Machine {
+class I8080Run final : public Machine, private core::KeyPollListener {
  public:
   explicit I8080Run(I8080Setup setup) : setup_(std::move(setup)), plotter_(setup_.drawing), machine_(std::move(setup_.machine)) {
     machine_->strokes().hand_to(&plotter_);
@@ -114,6 +116,7 @@ class I8080Run final : public Machine {
       cpm_.emplace(*setup_.cpm, [this](std::string_view text) { print(text); }, [this](char c) { list(c); });
       cpm_front_.emplace(*machine_);
     }
+    each_terminal([this](core::Terminal& terminal) { terminal.tell_polls(this); });
     if (setup_.vcd) recorder_->vcd.emplace(std::move(*setup_.vcd), clock(), [this] { return machine_->interrupt(); });
   }
 
@@ -145,7 +148,7 @@ class I8080Run final : public Machine {
       case 0: s.a = byte; break;
       case 1: s.f = i8080::as_flags(byte); break;
       case 8: s.sp = static_cast<i8080::Address>(value); break;
-      case 9: s.pc = static_cast<i8080::Address>(value); break;
+      case 9: machine_->start(static_cast<i8080::Address>(value)); break;
       case 10: s.interrupts_on = value != 0; break;
       default: {
         i8080::Address& pair = pair_of(s, number);
@@ -158,9 +161,8 @@ class I8080Run final : public Machine {
   [[nodiscard]] std::uint32_t start_address(std::optional<std::uint32_t> loaded) const override {
     return cpm_ ? image::com_origin : loaded.value_or(0);
   }
-  void start(std::uint32_t address) override {
-    machine_->registers().pc = static_cast<i8080::Address>(address);
-  }
+  void start(std::uint32_t address) override { machine_->start(static_cast<i8080::Address>(address)); }
+  void reset() override { machine_->reset(); }
   [[nodiscard]] bool halted() const override { return machine_->registers().halted; }
   [[nodiscard]] std::string_view system_missing(std::uint32_t lowest) const override {
     return !cpm_ && lowest == image::com_origin ? "--cpm gives a CP/M program its system" : "";
@@ -210,7 +212,9 @@ class I8080Run final : public Machine {
     // A CP/M call that ended the run is answered first.
     if (probe_ && !probe_->events().empty() && reason != i8080::StopReason::device) return Stop{stopped_by_probe, {}};
     switch (reason) {
-      case i8080::StopReason::halt: return Stop{"halt", {}};
+      case i8080::StopReason::halt:
+        if (halts_for_key()) return std::nullopt;
+        return Stop{"halt", {}};
       case i8080::StopReason::instruction_limit: return Stop{"instruction_limit", {}};
       case i8080::StopReason::time_limit:
         if (machine_->now() < limit) return std::nullopt;
@@ -276,12 +280,42 @@ class I8080Run final : public Machine {
     if (probe_) probe_->keys.push_back({ticks(), code});
   }
   [[nodiscard]] bool wants_key() const override {
-    bool wants = cpm_ && cpm_->wants_key();
-    each_terminal([&wants](const core::Terminal& terminal) { wants = wants || terminal.wants_key(); });
+    bool wants = (cpm_ && cpm_->wants_key()) || halts_for_key();
+    each_terminal([this, &wants](const core::Terminal& terminal) {
+      wants = wants || terminal.wants_key() ||
+              (interrupts_for_key(terminal) && machine_->now() >= terminal.quiet_since() + clock().t_states_in(quiet_before_key));
+    });
     return wants;
   }
-  [[nodiscard]] bool waits_for_key() const override { return cpm_ && cpm_->waits_for_key(); }
+  [[nodiscard]] bool waits_for_key() const override { return (cpm_ && cpm_->waits_for_key()) || halts_for_key(); }
   [[nodiscard]] std::string take_printed() override { return std::exchange(printed_, {}); }
+
+  void return_at_polls(bool returns) override { returns_at_polls_ = returns; }
+  [[nodiscard]] bool take_poll() override {
+    const bool of_cpm = cpm_ && cpm_->take_poll();
+    return std::exchange(polled_, false) || of_cpm;
+  }
+  [[nodiscard]] std::array<std::uint64_t, 2> register_image() const override {
+    const i8080::State& s = machine_->registers();
+    const auto joined = [](std::initializer_list<std::uint16_t> words) {
+      std::uint64_t all = 0;
+      for (const std::uint16_t word : words) all = all << 16U | word;
+      return all;
+    };
+    const auto control = static_cast<std::uint16_t>((s.interrupts_on ? 1U : 0U) | (s.deferred ? 2U : 0U) | (s.halted ? 4U : 0U));
+    return {joined({i8080::joined(s.a, s.f), s.bc, s.de, s.hl}), joined({control, s.sp, s.pc})};
+  }
+  [[nodiscard]] std::span<const std::byte> memory_image() const override {
+    return std::as_bytes(std::as_const(*machine_).memory());
+  }
+  [[nodiscard]] bool has_deadline() const override { return machine_->deadline() != core::never_t; }
+  [[nodiscard]] std::uint64_t traffic() const override {
+    std::uint64_t traffic = printed_bytes_;
+    for (const i8080::AttachedDevice& each : machine_->devices()) {
+      for (const core::Count& count : each.device->counts()) traffic += count.value;
+    }
+    return traffic;
+  }
 
   [[nodiscard]] std::int64_t trim_journal(std::size_t most) override { return cpm_ ? cpm_->trim_journal(most) : 0; }
 
@@ -396,6 +430,31 @@ class I8080Run final : public Machine {
   }
 
  private:
+  void key_polled() override {
+    polled_ = true;
+    if (returns_at_polls_) machine_->request_stop();
+  }
+  // A key on that terminal would interrupt the program.
+  [[nodiscard]] bool interrupts_for_key(const core::Terminal& terminal) const {
+    if ((!setup_.console && !setup_.monitored) || !machine_->registers().interrupts_on || !terminal.interrupts_for_key()) return false;
+    const auto devices = machine_->devices();
+    return std::any_of(devices.begin(), devices.end(), [&](const i8080::AttachedDevice& each) {
+      return each.device->terminal() == &terminal && machine_->is_connected(*each.device);
+    });
+  }
+  // The program is in HLT, and only a key can end that.
+  [[nodiscard]] bool halts_for_key() const {
+    if (!machine_->registers().halted || has_connected_deadline()) return false;
+    bool waits = false;
+    each_terminal([this, &waits](const core::Terminal& terminal) { waits = waits || interrupts_for_key(terminal); });
+    return waits;
+  }
+  [[nodiscard]] bool has_connected_deadline() const {
+    const auto devices = machine_->devices();
+    return std::any_of(devices.begin(), devices.end(), [this](const i8080::AttachedDevice& each) {
+      return machine_->is_connected(*each.device) && (each.device->deadline() != core::never_t || each.device->requests() != 0);
+    });
+  }
   [[nodiscard]] core::TStates slice() const {
     if (setup_.observed) return time_to_first_question;
     return std::clamp(machine_->now().time_since_epoch(), time_to_first_question, time_between_questions);
@@ -484,6 +543,7 @@ class I8080Run final : public Machine {
   }
 
   void print(std::string_view text) {
+    printed_bytes_ += text.size();
     if (console_) console_(text);
     if (setup_.console) printed_ += text;
     if (!setup_.keep_console) {
@@ -496,6 +556,7 @@ class I8080Run final : public Machine {
   }
 
   void list(char c) {
+    ++printed_bytes_;
     if (list_) list_(std::string_view(&c, 1));
     else ++list_dropped_;
   }
@@ -543,6 +604,9 @@ class I8080Run final : public Machine {
   TextTaker list_;
   std::uint64_t list_dropped_ = 0;  // characters without a taker
   std::optional<Cpm> cpm_;
+  bool polled_ = false;            // a terminal, in vain
+  bool returns_at_polls_ = false;
+  std::uint64_t printed_bytes_ = 0;  // on the console and the list device, since the machine was made
 };
 
 }  // namespace

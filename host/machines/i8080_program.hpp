@@ -20,10 +20,11 @@ namespace sightline::machines {
 
 class I8080Program {
  public:
-  // `sources`: pairs of name and text. `called`: the program's name for messages.
+  // `sources`: pairs of name without folder and text. `called`: the program's name for messages.
   template <class Sources>
   I8080Program(const Sources& sources, const std::string& main_source, std::string_view called) : called_(called) {
-    const auto text_of = [&sources](const std::string& name) -> std::optional<std::string> {
+    const auto text_of = [&sources](const std::string& path) -> std::optional<std::string> {
+      const std::string name = path.substr(path.rfind('/') + 1);
       const auto found = std::find_if(sources.begin(), sources.end(), [&](const auto& source) { return source.first == name; });
       if (found == sources.end()) return std::nullopt;
       return std::string(found->second);
@@ -48,7 +49,7 @@ class I8080Program {
   [[nodiscard]] std::uint16_t at(std::string_view label) const {
     const auto value = assembly_.value_of(label);
     if (!value) base::give_up(fmt::format("{} has no label {}", called_, label));
-    return *value;
+    return static_cast<std::uint16_t>(*value);
   }
 
  private:

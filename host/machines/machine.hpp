@@ -6,6 +6,8 @@
 // calls the machine once per slice of many instructions, so the speed depends only on the machine.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -27,9 +29,7 @@
 #include "host/base/result.hpp"
 #include "host/machines/probe.hpp"
 #include "host/machines/state.hpp"
-#include "tools/asm/diagnostic.hpp"
-#include "tools/asm/listing.hpp"
-#include "tools/asm/source.hpp"
+#include "tools/asm/assembly.hpp"
 
 namespace sightline::machines {
 
@@ -286,6 +286,11 @@ class Machine {
     return loaded.value_or(0);
   }
   virtual void start(std::uint32_t address) = 0;
+  // Where the program began, or was when it was restored.
+  [[nodiscard]] std::uint32_t beginning() const { return beginning_; }
+  void set_beginning(std::uint32_t address) { beginning_ = address; }
+  // What resets the machine, without starting it: the RESET line of the 8080, the START key of the PDP-7 without its address.
+  virtual void reset() {}
   // Called when all files are loaded, for a final check of memory.
   [[nodiscard]] virtual Result<Done> ready() { return Done{}; }
 
@@ -300,10 +305,25 @@ class Machine {
 
   // The console, with --console: the PDP-7's teletype or the terminal of CP/M. Codes have eight bits.
   virtual void type(std::uint8_t) {}
-  // The program has read all typed keys and polled for another.
+  // The program has read all typed keys, and has polled for another, waits for it, or takes keys by interrupt.
   [[nodiscard]] virtual bool wants_key() const { return false; }
-  // The program cannot continue without a key: run() returns at once, and emulated time does not pass.
+  // The program cannot continue without a key, in a blocking read or in HLT: run() returns at once, and emulated time does
+  // not pass.
   [[nodiscard]] virtual bool waits_for_key() const { return false; }
+
+  // For live::IdleLoop, which finds out whether a program does nothing but wait.
+  // From now on run() also returns, as at the end of a slice, at the boundary after a poll that finds no key.
+  virtual void return_at_polls(bool) {}
+  // Whether a poll has found no key since the last call.
+  [[nodiscard]] virtual bool take_poll() { return false; }
+  // All registers and memory, to be compared with those of another moment.
+  [[nodiscard]] virtual std::array<std::uint64_t, 2> register_image() const { return {}; }
+  [[nodiscard]] virtual std::span<const std::byte> memory_image() const { return {}; }
+  // Something outside the processor will change without an access: a device works, or a script goes on.
+  [[nodiscard]] virtual bool has_deadline() const { return false; }
+  // A number that changes with everything that goes from the program to its devices or comes from them, polls excepted.
+  [[nodiscard]] virtual std::uint64_t traffic() const { return 0; }
+
   // The text printed since the last call.
   [[nodiscard]] virtual std::string take_printed() { return {}; }
 
@@ -391,6 +411,7 @@ class Machine {
   [[nodiscard]] std::vector<std::string> early_warnings_left() const;
 
  private:
+  std::uint32_t beginning_ = 0;
   std::set<std::string, std::less<>> warned_;
   const MachineDescription* description_ = nullptr;
   std::vector<bool> loaded_;  // empty: not watched, or already reported

@@ -13,7 +13,6 @@
 #include "emulators/machines/pdp7_devices.hpp"
 #include "emulators/pdp7/cpu.hpp"
 #include "emulators/pdp7/isa.hpp"
-#include "host/base/crc32.hpp"
 #include "host/base/text.hpp"
 #include "host/machines/disk_image.hpp"
 #include "host/machines/display_file.hpp"
@@ -84,7 +83,7 @@ std::vector<core::Setting> settings_of(const type340::Options& display) {
   return {{"347", display.subroutines_347 ? 1 : 0}, {"342", display.characters_342 ? 1 : 0}, {"flash-again", display.flash_again ? 1 : 0}};
 }
 
-class Pdp7Machine final : public Machine {
+class Pdp7Machine final : public Machine, private core::KeyPollListener {
  public:
   explicit Pdp7Machine(Pdp7Setup setup)
       : setup_(std::move(setup)),
@@ -107,11 +106,12 @@ class Pdp7Machine final : public Machine {
     if (!error.empty()) return base::usage_error("--device: " + error);
     if (setup_.disk) {
       disk_ = machine_.find<pdp7::Rb09>();
-      disk_->attach(std::move(setup_.disk->image), setup_.disk->number, setup_.disk->locks);
+      disk_->attach(std::move(setup_.disk->image), setup_.disk->locks);
       disk_path_ = setup_.disk->path;
     }
     if (!setup_.reader_tape.empty()) reader_.load(setup_.reader_tape);
     for (const KeyPress& key : setup_.keys) keyboard_.press(key.time, key.code);
+    keyboard_.tell_polls(this);
     machine_.console().schedule(setup_.switch_script);
     machine_.console().set(setup_.switches);
     if (display() != nullptr) pen_script_ = std::move(setup_.pen_script);
@@ -164,6 +164,7 @@ class Pdp7Machine final : public Machine {
     }
   }
   void start(std::uint32_t address) override { machine_.start(address); }
+  void reset() override { machine_.start(machine_.registers().pc); }
 
   void take(std::string_view option, TextTaker taker) override {
     if (option == "--trace") {
@@ -190,7 +191,8 @@ class Pdp7Machine final : public Machine {
     const bool slice_done = reason == pdp7::StopReason::instruction_limit &&
                             machine_.counts().instructions < limits.instructions;
     const bool pen_due = reason == pdp7::StopReason::time_limit && machine_.now() < limit;
-    if (slice_done || pen_due) return std::nullopt;
+    const bool poll_met = reason == pdp7::StopReason::observer && polled_ && returns_at_polls_;
+    if (slice_done || pen_due || poll_met) return std::nullopt;
     return stop_of(reason, machine_.registers().pc);
   }
   void finish() override {
@@ -342,6 +344,28 @@ class Pdp7Machine final : public Machine {
     const core::Duration character = setup_.machine.timing.teletype_character;
     return (keyboard_.polled() && quiet >= character) ||
            (machine_.registers().interrupts_on && quiet >= 2 * character);
+  }
+  void return_at_polls(bool returns) override { returns_at_polls_ = returns; }
+  [[nodiscard]] bool take_poll() override { return std::exchange(polled_, false); }
+  [[nodiscard]] std::array<std::uint64_t, 2> register_image() const override {
+    const pdp7::State& r = machine_.registers();
+    std::uint64_t flags = 0;
+    for (const bool flag : {r.link, r.interrupts_on, r.interrupts_deferred, r.extend, r.extend_restore, r.trap_mode})
+      flags = flags << 1U | (flag ? 1U : 0U);
+    return {std::uint64_t{r.ac.value()} << 18U | r.mq.value(), std::uint64_t{r.sc.value()} << 32U | flags << 16U | r.pc};
+  }
+  [[nodiscard]] std::span<const std::byte> memory_image() const override { return std::as_bytes(machine_.core()); }
+  [[nodiscard]] bool has_deadline() const override {
+    return machine_.deadline() != core::never || next_move_ < pen_script_.size();
+  }
+  // Not the display: a program may draw again and again while it waits.
+  [[nodiscard]] std::uint64_t traffic() const override {
+    std::uint64_t traffic = printer_.printed().size() + punch_.tape().size() + reader_.position();
+    if (disk_ != nullptr) traffic += disk_->counters().transfers;
+    further_devices([&traffic](std::string_view, const std::vector<core::Count>& counts) {
+      for (const core::Count& count : counts) traffic += count.value;
+    });
+    return traffic;
   }
   [[nodiscard]] std::string take_printed() override {
     const auto& printed = printer_.printed();
@@ -504,6 +528,19 @@ class Pdp7Machine final : public Machine {
       };
       attach(display->counters().characters_met, "the Type 342 character generator", "342");
       attach(display->counters().subroutines_met, "the Type 347 subroutine option", "347");
+      const auto times = [](std::uint64_t count) { return count == 1 ? std::string("once") : fmt::format("{} times", count); };
+      // A program may ask in passing; one that asks so often waits.
+      constexpr std::uint64_t waits = 1000;
+      if (const std::uint64_t asked = display->counters().asked_in_vain; asked >= waits) {
+        warnings.push_back({"the program waits with IDSI (700601) for a stop interrupt that cannot come: the word that stopped the "
+                            "display asks for none; 3000 stops and interrupts, 2000 only stops",
+                            times(asked)});
+      }
+      if (const std::uint64_t ored = display->counters().starts_ored; ored != 0) {
+        warnings.push_back({"700604 has started the display at another address than that in AC: it ORs AC into the address counter, "
+                            "which was not 0; IDLA (700606) clears the counter first",
+                            times(ored)});
+      }
     }
     if (reader_.out_of_tape())
       warnings.push_back({"the program waits for the paper-tape reader, which has no more tape", {}});
@@ -514,6 +551,11 @@ class Pdp7Machine final : public Machine {
   [[nodiscard]] std::string tape_in_reader() const {
     if (setup_.reader_name.empty()) return "no tape";
     return fmt::format("{}, {} of {} lines read", setup_.reader_name, reader_.position(), reader_.length());
+  }
+
+  void key_polled() override {
+    polled_ = true;
+    if (returns_at_polls_) machine_.request_stop();
   }
 
   // --- Devices by --device ---
@@ -604,7 +646,7 @@ class Pdp7Machine final : public Machine {
     }
     auto image = read_disk_image(input);
     if (!image) return image.error();
-    disk_->attach(std::move(*image), base::crc32(input.bytes), 0);
+    disk_->attach(std::move(*image), 0);
     disk_path_ = input.name;
     return Done{};
   }
@@ -723,6 +765,8 @@ class Pdp7Machine final : public Machine {
   std::size_t printed_seen_ = 0;
   std::size_t taken_of_printed_ = 0;
   core::Instant quiet_since_{};
+  bool polled_ = false;  // the keyboard, in vain
+  bool returns_at_polls_ = false;
 };
 
 }  // namespace

@@ -30,7 +30,6 @@ struct Pdp7Setup {
   struct Disk {
     std::string path;                 // written back to it; empty: not written back
     std::vector<core::Word18> image;
-    std::uint32_t number = 0;         // the checksum of its bytes
     std::uint32_t locks = 0;          // pdp7::Rb09::attach
   };
   std::optional<Disk> disk;           // nullopt: no disk drive on the machine

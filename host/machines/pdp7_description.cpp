@@ -7,7 +7,6 @@
 #include <type_traits>
 
 #include "emulators/machines/pdp7_devices.hpp"
-#include "host/base/crc32.hpp"
 #include "host/base/number.hpp"
 #include "host/machines/device_option.hpp"
 #include "host/machines/disk_image.hpp"
@@ -281,7 +280,7 @@ Result<std::unique_ptr<Machine>> make_pdp7(const Arguments& arguments, const Fil
     if (!image) return image.error();
     const bool read_only = arguments.given("--disk-read-only");
     const std::string& path = arguments.text("--disk");
-    setup.disk = Pdp7Setup::Disk{read_only || path == "-" ? std::string() : path, std::move(*image), base::crc32(input.bytes),
+    setup.disk = Pdp7Setup::Disk{read_only || path == "-" ? std::string() : path, std::move(*image),
                                  read_only ? sightline::pdp7::rb09::all_locked : 0};
   }
   if (arguments.given("--reader")) {

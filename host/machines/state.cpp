@@ -128,6 +128,14 @@ void StateReader::require(bool holds, std::string_view name, std::string_view ex
                        .remedy = "make the snapshot again with --save"};
 }
 
+void StateReader::require_medium(bool holds, std::string_view name, std::string_view expected) {
+  if (error_ || holds) return;
+  error_ = base::Error{.place = place(name),
+                       .found = "found another medium",
+                       .expected = std::string(expected),
+                       .remedy = "name that file, or a copy of it"};
+}
+
 std::optional<base::Error> StateReader::finish() {
   const auto unused = std::find(used_.begin(), used_.end(), false);
   if (!error_ && unused != used_.end()) {

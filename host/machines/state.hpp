@@ -74,6 +74,7 @@ class StateReader final : public core::StateVisitor {
   void bytes(std::string_view name, std::span<std::uint8_t> bytes, std::uint8_t most) override;
   void input(std::string_view name, std::span<const std::uint8_t> bytes) override;
   void require(bool holds, std::string_view name, std::string_view expected) override;
+  void require_medium(bool holds, std::string_view name, std::string_view expected) override;
   [[nodiscard]] bool restores() const override { return true; }
   [[nodiscard]] bool cuts_outputs() const override { return outputs_ == Outputs::cut && !error_; }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <span>
 
 #include "host/base/threads.hpp"
@@ -87,37 +86,30 @@ EdgeChooser::EdgeChooser(const scene::PolyScene& scene, const EdgeChoice& choice
   std::sort(wires_on_.begin(), wires_on_.end());
 }
 
-// Without surfaces in the scene, each face is a surface.
 void EdgeChooser::find_surfaces() {
   const bool mesh = !scene_.surfaces.empty();
   surfaces_.resize(mesh ? scene_.surfaces.size() : face_count(scene_));
-  directions_.resize(surfaces_.size());
-  surface_of_ = scene_.surface_of;
-  surface_of_.resize(face_count(scene_));
-  if (!mesh) std::iota(surface_of_.begin(), surface_of_.end(), 0U);
+  if (!mesh) directions_.resize(surfaces_.size());
   // Each part has all faces of its surfaces.
   base::for_parts(jobs_, surfaces_.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-    std::size_t number = 0;
+    std::vector<double> largest(end - begin, -1);  // squared area of a face of each
+    std::uint32_t number = 0;
     for (const scene::PolyBody& body : scene_.bodies) {
       for (const scene::PolyFace& face : body.faces) {
-        const std::uint32_t of = surface_of_[number++];
+        const std::uint32_t of = surface_of(number++);
         if (of < begin || of >= end) continue;
         Surface& surface = surfaces_[of];
         const geometry::Vector3 area = area_of(scene_.vertices, face);
         const double size = square(area);
         for (std::size_t a = 0; a < 3; ++a) surface.normal[a] += area[a];
         surface.solid = !body.sheet;
-        if (size <= surface.largest) continue;
-        surface.largest = size;
+        if (size <= largest[of - begin]) continue;
+        largest[of - begin] = size;
         surface.on = face.outline[0];
       }
     }
-    for (std::size_t s = begin; s < end; ++s) {
+    for (std::size_t s = begin; s < end && !mesh; ++s) {
       const Surface& surface = surfaces_[s];
-      if (mesh) {
-        directions_[s] = scene_.surfaces[s].normal;
-        continue;
-      }
       const double length = std::sqrt(square(surface.normal));
       for (std::size_t a = 0; a < 3; ++a)
         if (length > 0) directions_[s][a] = static_cast<double>(surface.normal[a]) / length;
@@ -127,9 +119,7 @@ void EdgeChooser::find_surfaces() {
 
 // Whether the angle between two surfaces exceeds that of a crease. `agree`: they pass their edge in opposite directions.
 bool EdgeChooser::bends(std::uint32_t a, std::uint32_t b, bool agree) const {
-  const auto& m = directions_[a];
-  const auto& n = directions_[b];
-  double cosine = geometry::dot(m, n);
+  double cosine = geometry::dot(direction(a), direction(b));
   if (!agree) cosine = -cosine;
   if (choice_.crease > 0) return cosine < least_cosine_;
   if (!scene_.surfaces.empty()) return true;  // they are different surfaces
@@ -147,8 +137,8 @@ EdgeKind EdgeChooser::kind_without_eye(std::size_t edge) const {
   if (uses.empty()) return EdgeKind::wire;
   if (uses.size() > 2) return EdgeKind::junction;
   if (uses.size() == 1) return EdgeKind::boundary;
-  const std::uint32_t a = surface_of_[uses[0].face];
-  const std::uint32_t b = surface_of_[uses[1].face];
+  const std::uint32_t a = surface_of(uses[0].face);
+  const std::uint32_t b = surface_of(uses[1].face);
   const bool agree = uses[0].upwards != uses[1].upwards;
   if (a != b && bends(a, b, agree)) return EdgeKind::crease;
   const auto& materials = scene_.material_of;
@@ -174,16 +164,22 @@ std::vector<EdgeChooser::Facing> EdgeChooser::facing_of(const scene::PolyCamera&
 ChosenEdges EdgeChooser::chosen_of(const std::vector<Facing>& facing, std::size_t begin, std::size_t end) const {
   const bool mesh = !scene_.surfaces.empty();
   ChosenEdges chosen;
+  // Room for all of them: what is not used takes no memory, and what grows is copied.
+  chosen.edges.reserve(end - begin);
+  chosen.kinds.reserve(end - begin);
+  chosen.turned_away.reserve(end - begin);
+  chosen.first_surface.reserve(end - begin + 1);
+  if (mesh) chosen.surfaces.reserve(2 * (end - begin));
   auto on = wires_on_.begin();
   for (std::size_t e = begin; e < end; ++e) {
     while (on != wires_on_.end() && (*on)[0] < e) ++on;
     const auto uses = edges_.uses(e);
     EdgeKind kind = kinds_[e];
     bool away = !uses.empty();
-    for (const scene::EdgeTable::Use& use : uses) away = away && facing[surface_of_[use.face]].away;
+    for (const scene::EdgeTable::Use& use : uses) away = away && facing[surface_of(use.face)].away;
     if (uses.size() == 2) {
-      const std::uint32_t a = surface_of_[uses[0].face];
-      const std::uint32_t b = surface_of_[uses[1].face];
+      const std::uint32_t a = surface_of(uses[0].face);
+      const std::uint32_t b = surface_of(uses[1].face);
       // If both pass the edge in the same direction, one of them must be reversed.
       const int facing_b = uses[0].upwards != uses[1].upwards ? facing[b].sign : -facing[b].sign;
       if (a != b && (facing[a].sign > 0) != (facing_b > 0)) kind = EdgeKind::silhouette;
@@ -197,7 +193,7 @@ ChosenEdges EdgeChooser::chosen_of(const std::vector<Facing>& facing, std::size_
     chosen.kinds.push_back(kind);
     chosen.turned_away.push_back(away ? 1 : 0);
     if (mesh)
-      for (const scene::EdgeTable::Use& use : uses) chosen.surfaces.push_back(surface_of_[use.face]);
+      for (const scene::EdgeTable::Use& use : uses) chosen.surfaces.push_back(surface_of(use.face));
     for (; on != wires_on_.end() && (*on)[0] == e; ++on) chosen.surfaces.push_back((*on)[1]);
     chosen.first_surface.push_back(static_cast<std::uint32_t>(chosen.surfaces.size()));
   }
@@ -217,7 +213,7 @@ ChosenEdges EdgeChooser::at(const scene::PolyCamera& camera) const {
   for (const scene::PolyCrossing& crossing : scene_.crossings) {
     bool away = false;
     for (const std::uint32_t face : {crossing.face_a, crossing.face_b}) {
-      away = away || facing[surface_of_[face]].away;
+      away = away || facing[surface_of(face)].away;
       if (!scene_.surface_of.empty()) chosen.surfaces.push_back(scene_.surface_of[face]);
     }
     chosen.edges.push_back({crossing.from, crossing.to});

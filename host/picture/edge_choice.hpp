@@ -78,9 +78,8 @@ class EdgeChooser {
  private:
   struct Surface {
     geometry::Vector3 normal{};  // twice its area, as a vector
-    scene::VertexIndex on = 0;
+    scene::VertexIndex on = 0;  // a corner of its largest face
     bool solid = false;
-    double largest = -1;  // squared area of the face that `on` belongs to
   };
 
   // Of each surface: 1 if it faces the eye, -1 if it is turned away, 0 if it is seen from the side.
@@ -90,6 +89,11 @@ class EdgeChooser {
   };
 
   void find_surfaces();
+  // Without surfaces in the scene, each face is a surface.
+  [[nodiscard]] std::uint32_t surface_of(std::uint32_t face) const { return scene_.surfaces.empty() ? face : scene_.surface_of[face]; }
+  [[nodiscard]] const std::array<double, 3>& direction(std::uint32_t surface) const {
+    return scene_.surfaces.empty() ? directions_[surface] : scene_.surfaces[surface].normal;
+  }
   [[nodiscard]] std::vector<Facing> facing_of(const scene::PolyCamera& camera) const;
   // The chosen ones of the edges `begin` to `end` - 1.
   [[nodiscard]] ChosenEdges chosen_of(const std::vector<Facing>& facing, std::size_t begin, std::size_t end) const;
@@ -100,9 +104,8 @@ class EdgeChooser {
   EdgeChoice choice_;
   unsigned jobs_;
   scene::EdgeTable edges_;
-  std::vector<std::uint32_t> surface_of_;  // by face
   std::vector<Surface> surfaces_;
-  std::vector<std::array<double, 3>> directions_;  // of the surfaces' normals, of length 1
+  std::vector<std::array<double, 3>> directions_;  // of the faces' normals, of length 1; empty if the scene has surfaces
   double least_cosine_ = 1;                        // between surfaces that do not bend more than the angle
   std::vector<EdgeKind> kinds_;  // without an eye
   std::vector<std::array<std::uint32_t, 2>> wires_on_;  // PolyScene::wires_on by edge number; ascending

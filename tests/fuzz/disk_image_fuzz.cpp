@@ -44,7 +44,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require(words.has_value() == good);
   if (words) {
     pdp7::Rb09 disk{pdp7::rb09::Choices{.word = core::Duration(6600)}};
-    disk.attach(std::move(*words), 1, 0);
+    disk.attach(std::move(*words), 0);
     require(machines::disk_image(disk) == bytes);
   } else {
     require(words.error().message().starts_with("disk: "));

@@ -21,12 +21,14 @@
 //
 // Decisions where the assemblers differ or invite errors:
 // - Every character of a name counts. Names of registers are their values: MOV 7,0 is MOV A,B. A mnemonic in
-//   an expression is its opcode: MVI A,(RET). LXI HL and LXI DE are read as LXI H and LXI D.
+//   an expression is its opcode: MVI A,(RET). LXI HL and LXI DE are read as LXI H and LXI D, PUSH A as PUSH PSW.
 // - A byte is -128 to 255. The result of NOT may also have FF in its high byte, in parentheses or through an
 //   EQU, too (ANI NOT 80H).
 // - A string alone, of any length, is data in DB and DC; elsewhere one or two characters are a number, 'AB' is
 //   4142H. DC adds 80H to the last character.
-// - EQU and instructions may refer forward; ORG, DS, IF, REPT and %expr must not.
+// - EQU, IF and instructions may refer forward; ORG, DS, REPT and %expr must not. In the first pass IF takes an unknown name as
+//   0; later passes use its value.
+// - DS may run past FFFF: values begin again at 0, but a byte there needs an ORG.
 // - A second byte for one address draws a warning and replaces the first.
 // - END ends the file it is in. Segments (ASEG CSEG DSEG) share one location counter. There is no linker: if a source
 //   with PUBLIC or EXTRN is assembled with other sources, its undeclared names are local to it.
@@ -42,64 +44,36 @@
 // clang-format on
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <optional>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "host/base/result.hpp"
-#include "tools/asm/diagnostic.hpp"
+#include "tools/asm/assembly.hpp"
 #include "tools/asm/i8080/dialect.hpp"
-#include "tools/asm/listing.hpp"
-#include "tools/asm/source.hpp"
 #include "tools/image/binary.hpp"
 
 namespace sightline::assembler {
 
-struct I8080Define {
-  std::string name;
-  std::uint16_t value = 0;
-};
-
 // "NAME=VALUE", VALUE a number as in a source, optionally with a minus sign; else "found ..., expected ...".
-[[nodiscard]] base::Result<I8080Define> parse_i8080_define(std::string_view text);
-
-// Returns the text of a file, or nothing if it cannot be read. For INCLUDE the assembler tries the name as written, then in
-// lower case, in the folder of the including file; for MACLIB also with .LIB and .lib appended.
-using IncludeReader = std::function<std::optional<std::string>(const std::string& path)>;
+[[nodiscard]] base::Result<Define> parse_i8080_define(std::string_view text);
 
 struct I8080Options {
-  std::vector<I8080Define> defines;
-  IncludeReader include;  // if empty, every INCLUDE is an error
+  std::vector<Define> defines;  // 16 bits each
+  // If empty, every INCLUDE is an error. For INCLUDE the assembler tries the name as written, then in lower case, in the folder of
+  // the including file; for MACLIB also with .LIB and .lib appended.
+  IncludeReader include;
   bool listing = true;
   I8080Dialect dialect = I8080Dialect::common;
   // Limit of lines in one pass, including expansions and the rows of DS n,x: stops endless repeats and macros.
   std::size_t most_lines = 2'000'000;
 };
 
-enum class I8080SymbolKind : std::uint8_t { define, label, equate, set };
-
-struct I8080Symbol {
-  std::string name;  // as first written
-  std::uint16_t value = 0;
-  I8080SymbolKind kind = I8080SymbolKind::label;
-  std::string file;  // empty for -D
-  std::size_t line = 0;
-  std::size_t column = 0;
-};
-
-struct I8080Assembly {
-  image::ByteImage image;               // empty if there was an error
-  std::vector<I8080Symbol> symbols;     // in alphabetical order
-  std::vector<ListingLine> listing;     // address, bytes, source as in a .PRN file; `+` marks expansions
-  std::vector<Diagnostic> diagnostics;  // in the order of assembly
-
-  [[nodiscard]] bool ok() const { return !any_errors(diagnostics); }
-  // Compares names as the assembler does: any case, `$` ignored.
-  [[nodiscard]] std::optional<std::uint16_t> value_of(std::string_view name) const;
+// The listing has address, bytes and source as in a .PRN file; `+` marks expansions. The diagnostics are in the order of assembly.
+struct I8080Assembly : AssemblyReport {
+  image::ByteImage image;  // empty if there was an error
 };
 
 // The sources are read one after the other as one program.
@@ -107,6 +81,6 @@ struct I8080Assembly {
                                            const I8080Options& options = {});
 
 // One line `name value` per symbol, the value in four hexadecimal digits.
-[[nodiscard]] std::string write_i8080_symbols(std::span<const I8080Symbol> symbols);
+[[nodiscard]] std::string write_i8080_symbols(std::span<const ProgramSymbol> symbols);
 
 }  // namespace sightline::assembler

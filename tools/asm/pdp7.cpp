@@ -1,8 +1,6 @@
 #include "tools/asm/pdp7.hpp"
 
 #include <algorithm>
-#include <map>
-#include <tuple>
 #include <utility>
 
 #include "emulators/machines/pdp7_devices.hpp"
@@ -10,41 +8,23 @@
 #include "host/base/number.hpp"
 #include "host/base/result.hpp"
 #include "tools/asm/pdp7/bell.hpp"
-#include "tools/asm/pdp7/pass.hpp"
+#include "tools/asm/pdp7/dec.hpp"
 
 namespace sightline::assembler {
 namespace {
 
-void enter(SymbolTable& symbols, std::string_view name, std::uint32_t value, Form form, SymbolKind kind) {
-  Symbol& symbol = symbols[name];
-  symbol.kind = kind;
-  symbol.value = value;
-  symbol.form = static_cast<int>(form);
-}
-
-SymbolTable make_symbol_table(Dialect dialect) {
-  return dialect == Dialect::bell ? SymbolTable(8, false) : SymbolTable(6);
-}
-
-void enter_permanent_symbols(SymbolTable& symbols) {
-  for (const auto& row : pdp7::instructions) {
-    enter(symbols, row.mnemonic, row.value, form_of_instruction(row.value), SymbolKind::permanent);
-  }
-  for (const auto& micro : pdp7::microinstructions) {
-    enter(symbols, micro.name, micro.value, form_of_instruction(micro.value), SymbolKind::permanent);
-  }
+void enter_names(Engine& engine, const Options& options) {
+  const auto enter = [&engine](std::string_view name, std::uint32_t word) {
+    engine.enter(name, word, SymbolKind::permanent, static_cast<int>(form_of_instruction(word)));
+  };
+  for (const auto& row : pdp7::instructions) enter(row.mnemonic, row.value);
+  for (const auto& micro : pdp7::microinstructions) enter(micro.name, micro.value);
   for (const auto& device : pdp7::device_infos) {
-    for (const core::IotName& iot : device.iots)
-      enter(symbols, iot.mnemonic, iot.word, form_of_instruction(iot.word), SymbolKind::permanent);
+    for (const core::IotName& iot : device.iots) enter(iot.mnemonic, iot.word);
   }
-  enter(symbols, "i", pdp7::indirect_bit, Form::indirect, SymbolKind::permanent);
-}
-
-// Everything that must be the same in two successive passes before words are made.
-auto layout(const Pdp7Program& program) {
-  std::map<std::string, std::optional<std::uint32_t>> values;
-  for (const auto& [key, symbol] : program.symbols) values.emplace(key, symbol.value);
-  return std::tuple(std::move(values), program.pool_bases, program.relative_labels);
+  engine.enter("i", pdp7::indirect_bit, SymbolKind::permanent, static_cast<int>(Form::indirect));
+  if (options.dialect == Dialect::bell) enter("sys", pdp7::indirect_bit);  // cal i
+  for (const Define& define : options.defines) engine.enter(define.name, define.value, SymbolKind::define);
 }
 
 std::vector<std::string_view> lines_of(std::string_view text) {
@@ -89,18 +69,6 @@ std::vector<ListingLine> make_listing(std::span<const SourceFile> sources,
   return listing;
 }
 
-std::vector<ProgramSymbol> program_symbols(std::span<const SourceFile> sources, const SymbolTable& table) {
-  std::vector<ProgramSymbol> symbols;
-  for (const auto& [key, symbol] : table) {
-    if (symbol.kind == SymbolKind::permanent || !symbol.value) continue;
-    const bool in_source = symbol.defined.line != 0;
-    symbols.push_back({symbol.name, core::Word18(*symbol.value), symbol.kind,
-                       in_source ? sources[symbol.defined.file].name : std::string(), symbol.defined.line,
-                       symbol.defined.column});
-  }
-  return symbols;
-}
-
 }  // namespace
 
 base::Result<Define> parse_define(std::string_view text) {
@@ -121,79 +89,30 @@ base::Result<Define> parse_define(std::string_view text) {
     return base::bad_input(found + "a value of one to six octal digits");
   std::uint32_t value = 0;
   for (const char c : digits) value = value << 3 | static_cast<std::uint32_t>(c - '0');
-  const core::Word18 word(value);
-  return Define{std::string(name), negative ? ~word : word};
-}
-
-std::optional<core::Word18> Assembly::value_of(std::string_view name) const {
-  const SymbolTable rule = make_symbol_table(dialect);
-  const std::string key = rule.key(name);
-  for (const ProgramSymbol& symbol : symbols) {
-    if (rule.key(symbol.name) == key) return symbol.value;
-  }
-  return std::nullopt;
+  return Define{std::string(name), negative ? ~value & core::Word18::mask : value};
 }
 
 Assembly assemble_pdp7(std::span<const SourceFile> sources, const Options& options) {
   Assembly assembly;
-  assembly.dialect = options.dialect;
-  if (sources.empty()) return assembly;
   const bool bell = options.dialect == Dialect::bell;
-  Pdp7Program program;
-  program.modules.resize(sources.size());
-  const auto begin = [&] {
-    program.symbols = make_symbol_table(options.dialect);
-    enter_permanent_symbols(program.symbols);
-    if (bell) enter_bell_symbols(program.symbols);
-    for (const Define& define : options.defines) {
-      enter(program.symbols, define.name, define.value.value(), Form::plain, SymbolKind::define);
-      program.symbols[define.name].name = define.name;
-    }
-  };
-  begin();
-  // Enough for a chain of forward references in literals that move each other. A longer chain is an error.
-  constexpr int most_layout_passes = 12;
-  int pass = 0;
-  const auto read = [&](bool final = false) {
-    if (bell) return BellPass(sources, program, pass, final).run();
-    Pdp7Pass(sources, options, program, pass, final).run();
-  };
-  for (auto before = layout(program); ++pass <= most_layout_passes;) {
-    read();
-    const bool declares = sources.size() > 1 && std::any_of(program.modules.begin(), program.modules.end(),
-                                                            [](const auto& module) { return module.declares; });
-    if (declares && !program.modules_known) {
-      program.modules_known = true;
-      begin();
-      program.pool_bases.clear();
-      continue;
-    }
-    auto after = layout(program);
-    if (after == before) break;
-    before = std::move(after);
-  }
-  ++pass;
-  read(true);
+  Pdp7Program program(sources, bell ? bell_naming : Naming{.significant = 6, .in_words = "six"});
+  if (sources.empty()) return assembly;
+  program.engine.run([&] { enter_names(program.engine, options); },
+                     [&] {
+                       if (bell) return BellPass(program).run();
+                       DecPass(options, program).run();
+                     });
   if (bell) relocate_bell_symbols(program);
-
-  std::stable_sort(program.diagnostics.begin(), program.diagnostics.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (auto& [at, diagnostic] : program.diagnostics) assembly.diagnostics.push_back(std::move(diagnostic));
+  program.engine.finish(assembly, true);
   assembly.listing = make_listing(sources, program.words);
-  assembly.symbols = program_symbols(sources, program.symbols);
   if (!assembly.ok()) return assembly;
-  for (const EmittedWord& word : program.words) {
-    assembly.image.words.insert_or_assign(word.address, core::Word18(word.word));
-  }
+  program.engine.for_each_cell([&](std::uint32_t address, std::uint32_t word) {
+    assembly.image.words.emplace_hint(assembly.image.words.end(), address, core::Word18(word));
+  });
   assembly.image.start = program.start;
   return assembly;
 }
 
-std::string write_symbols(std::span<const ProgramSymbol> symbols) {
-  std::string text;
-  for (const ProgramSymbol& symbol : symbols)
-    text += symbol.name + " " + base::octal(symbol.value.value(), 6) + "\n";
-  return text;
-}
+std::string write_symbols(std::span<const ProgramSymbol> symbols) { return write_symbols(symbols, 8, 6); }
 
 }  // namespace sightline::assembler

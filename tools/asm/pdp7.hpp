@@ -31,26 +31,16 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "emulators/core/word.hpp"
 #include "host/base/result.hpp"
-#include "tools/asm/diagnostic.hpp"
-#include "tools/asm/listing.hpp"
-#include "tools/asm/source.hpp"
-#include "tools/asm/symbol_table.hpp"
+#include "tools/asm/assembly.hpp"
 #include "tools/image/core_image.hpp"
 
 namespace sightline::assembler {
-
-struct Define {
-  std::string name;
-  core::Word18 value;
-};
 
 // "NAME=VALUE" with VALUE in octal, a leading minus for the one's complement; else a message "found ...,
 // expected ...".
@@ -69,26 +59,8 @@ struct Options {
   bool first_line_is_title = false;  // DEC's tapes: the first line of each file is a title, not assembled
 };
 
-// A symbol of the program; permanent symbols are not listed.
-struct ProgramSymbol {
-  std::string name;  // as first written
-  core::Word18 value;
-  SymbolKind kind = SymbolKind::tag;
-  std::string file;  // empty for -D
-  std::size_t line = 0;
-  std::size_t column = 0;
-};
-
-struct Assembly {
-  Dialect dialect = Dialect::dec;
-  image::CoreImage image;               // empty if there was an error
-  std::vector<ProgramSymbol> symbols;   // in alphabetical order
-  std::vector<ListingLine> listing;     // address, octal word, source
-  std::vector<Diagnostic> diagnostics;  // in the order of the source
-
-  [[nodiscard]] bool ok() const { return !any_errors(diagnostics); }
-  // Compares names as the dialect does: any case and six characters, or the same case and eight characters.
-  [[nodiscard]] std::optional<core::Word18> value_of(std::string_view name) const;
+struct Assembly : AssemblyReport {
+  image::CoreImage image;  // empty if there was an error
 };
 
 // The sources are read one after the other as the tapes of one program.

@@ -1,5 +1,5 @@
-; Where everything is: memory pages and ports. A piece is known by its number, 1 to 255, which is the low half of the address of all
-; that is kept of it; number 0 is the sentinel of the order.
+; Where everything is: memory pages, and the ports that no other program uses (../ports.asm has the rest). A piece is known by its
+; number, 1 to 255, which is the low half of the address of all that is kept of it; number 0 is the sentinel of the order.
 
 SQL     EQU     0800H           ; squares of 0..255: low bytes
 SQH     EQU     0900H           ; high bytes
@@ -32,13 +32,6 @@ NEXTP   EQU     NEXT SHR 8
 SIZEP   EQU     SIZE SHR 8
 USEDP   EQU     USED SHR 8
 
-; ---- The link to the host: 8255, port A strobed in
-PARDAT  EQU     0E4H
-PARSTA  EQU     0E6H
-PARCTL  EQU     0E7H
-PARIBF  EQU     20H
-PARMOD  EQU     0B0H
-
 ; ---- The priority display
 PDNUM   EQU     70H             ; number of a piece
 PDPRI   EQU     71H             ; its priority
@@ -47,7 +40,6 @@ PDWAIT  EQU     02H             ; status: a frame waits to be shown
 PDSHOW  EQU     01H             ; control: show it
 
 ; ---- Status at the end
-COMPLT  EQU     1
 NOTFL   EQU     2
 RANGE   EQU     3
 BADPCS  EQU     4

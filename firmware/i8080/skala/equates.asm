@@ -1,4 +1,5 @@
-; Where everything is: memory pages, ports, and the codes of the four instructions the step engine is patched with.
+; Where everything is: memory pages, the ports that no other program uses (../ports.asm has the rest), and the codes of the
+; instructions the step engine is patched with.
 
 ; ---- Memory. All masks are whole pages, so that a column's entry is found by loading a page number into H.
 MT      EQU     1900H           ; mask top: the highest row drawn so far in each column
@@ -23,17 +24,7 @@ S1P     EQU     LTP             ; as SCR0: the loops that write there draw only 
 S2P     EQU     HBP
 
 ; ---- EF9365 raster board
-GDPCMD  EQU     40H             ; command; read: status
-GDPCT1  EQU     41H
-GDPXH   EQU     48H
-GDPX    EQU     49H
-GDPYH   EQU     4AH
-GDPY    EQU     4BH
-GDPCOL  EQU     50H             ; colour latch
-GDPRDY  EQU     04H             ; status: ready
 DOT     EQU     80H             ; command: a vector of length nothing
-CLEAR   EQU     04H
-PENON   EQU     03H             ; CTRL1: pen down, writing
 
 ; ---- ALT-256 raster board
 ALTDAT  EQU     30H             ; colour, and draws; read: status
@@ -43,21 +34,12 @@ ALTCLR  EQU     33H             ; erase to this colour
 ALTRDY  EQU     80H             ; status: ready
 
 ; ---- CalComp 565
-CALCMD  EQU     60H             ; command; read: status
 CALBSY  EQU     01H
-CALERR  EQU     80H
-CALUP   EQU     08H
-CALDN   EQU     09H
 
 ; ---- Minigraf 0507
 MINI    EQU     0F0H            ; bits 2-0 phase of x, 5-3 phase of y, 7 pen down
 
-; ---- Links to the host
-PARDAT  EQU     0E4H            ; 8255, port A strobed in
-PARSTA  EQU     0E6H
-PARCTL  EQU     0E7H
-PARIBF  EQU     20H
-PARMOD  EQU     0B0H            ; group A mode 1, port A in
+; ---- Serial link to the host
 SERDAT  EQU     0ECH            ; 8251
 SERCTL  EQU     0EDH
 SERMOD  EQU     4EH             ; 8 bits, no parity, 1 stop bit, clock times 16
@@ -68,7 +50,6 @@ SERRDY  EQU     02H
 SERERR  EQU     38H             ; framing, overrun, parity
 
 ; ---- Status at the end
-COMPLT  EQU     1
 UNKNWN  EQU     2
 RANGE   EQU     3
 LINKER  EQU     4

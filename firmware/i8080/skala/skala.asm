@@ -7,6 +7,7 @@
 ;
 ; Assembled as one file, so that the loops, which change their own constants, can be laid out beside their data.
 
+        INCLUDE ../ports.asm
         INCLUDE equates.asm
         INCLUDE monitor.asm
         INCLUDE commands.asm

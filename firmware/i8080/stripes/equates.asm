@@ -1,4 +1,4 @@
-; Where everything is: memory, ports, the layout of records and tables.
+; Where everything is: memory, the ports that no other program uses (../ports.asm has the rest), the layout of records and tables.
 
 ; ---- Memory. The program is below FS. Lists of a line are in slots of a fixed size, so that a line's list is found by a shift.
 FS      EQU     1000H           ; stripes of the face at hand: 16 bytes a line
@@ -35,36 +35,12 @@ PRIOR   EQU     2
 STRIPE  EQU     4
 
 ; ---- EF9365 raster board
-GDPCMD  EQU     40H             ; command; read: status
-GDPCT1  EQU     41H
 GDPCT2  EQU     42H
 GDPDX   EQU     45H
 GDPDY   EQU     47H
-GDPXH   EQU     48H
-GDPX    EQU     49H
-GDPYH   EQU     4AH
-GDPY    EQU     4BH
-GDPCOL  EQU     50H             ; colour latch
-GDPRDY  EQU     04H             ; status: ready
-CLEAR   EQU     04H
 EAST    EQU     10H             ; a vector of DELTAX to the right
-PENON   EQU     03H             ; CTRL1: pen down, writing
-
-; ---- CalComp 565
-CALCMD  EQU     60H             ; command; read: status
-CALERR  EQU     80H
-CALUP   EQU     08H
-CALDN   EQU     09H
-
-; ---- Parallel link to the host
-PARDAT  EQU     0E4H            ; 8255, port A strobed in
-PARSTA  EQU     0E6H
-PARCTL  EQU     0E7H
-PARIBF  EQU     20H
-PARMOD  EQU     0B0H            ; group A mode 1, port A in
 
 ; ---- Status at the end
-COMPLT  EQU     1
 NOTSTR  EQU     2
 SILENT  EQU     3
 BADSUM  EQU     4

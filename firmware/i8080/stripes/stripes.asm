@@ -4,6 +4,7 @@
 ; 1985. What it does with every byte it is sent is fixed by SPECIFICATION.md; NOTES.md says where each idea of the paper is
 ; here. Left out: interrupts (the stack pointer is busy in set operations), and faces in secondary storage (all are in memory).
 
+        INCLUDE ../ports.asm
         INCLUDE equates.asm
         INCLUDE monitor.asm
         INCLUDE check.asm

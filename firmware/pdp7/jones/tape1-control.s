@@ -16,6 +16,13 @@
 / Auto-index registers: 10 vectors of a chain  11 polygon being written
 / 12 polygon being read  13 sloped edges  14 display file  15,16 copying
 / 17 interrupt handler.
+/
+/ Before each routine: what it takes (In), what it returns (Out), and what else
+/ it writes (Destroys).  Not listed are AC, link and MQ, which every routine
+/ destroys; words that only the routine itself uses; and mds mdnc mpyb mpyh mpyl
+/ of the arithmetic without the EAE.  The mask is nslope to slopes, the polygon
+/ pn pcur palt, the polygon being made 11 lastx lasty pnroom, the file dfs 14
+/ stopad room lastpx lastpy.
 
 FRACTION=3
 TRUNCATE=0
@@ -89,13 +96,13 @@ view,   las
         and (3
         dac mode
         jms newpar
-view1,  lac runing      / the display must have taken up the last file
+vwwait, lac runing      / the display must have taken up the last file
         sna
         jmp search
         lac shown
         sad file
         jmp search
-        jmp view1
+        jmp vwwait
 
 search, dzm status      / the view's time begins here
         jms newfil
@@ -105,11 +112,11 @@ search, dzm status      / the view's time begins here
         lac mode
         and (1
         sza
-        jmp srch2
+        jmp pair
         jms monwin
         jms onepas
         jmp publsh
-srch2,  jms lefwin
+pair,   jms lefwin
         jms onepas
         jms rigwin
         jms onepas
@@ -117,9 +124,9 @@ srch2,  jms lefwin
 / The new file becomes the current one by one store.
 publsh, lac dfs
         sad file
-        jmp publ1       / already shown: lines were added at once
+        jmp publd       / already shown: lines were added at once
         jms show
-publ1,  isz views
+publd,  isz views
         nop
         jmp view
 
@@ -138,6 +145,7 @@ flt5,   lac (5
 flt6,   lac (6
         jmp fault
 
+/ In: dfs.  Out: file = dfs, and the display runs.  Destroys: nothing else.
 show,   0               / make the file at dfs the current one
         lac dfs
         dac file        / the view's time ends here
@@ -153,28 +161,28 @@ show,   0               / make the file at dfs the current one
 / Interrupts: the display stopped, the clock ticked, or something unwanted.
 intr,   dac intac
         idsi
-        jmp intr1
+        jmp iclock
         lac file
         dac shown
         tad (1
         dac intpt
         lac i intpt
         sad (3000
-        jmp intr3       / a picture of nothing: once is enough
+        jmp iempty      / a picture of nothing: once is enough
         lac file
         idla
         jmp intrx
-intr1,  clsf
-        jmp intr2
+iclock, clsf
+        jmp iother
         jms tick
         jmp intrx
-intr2,  idcf
+iother, idcf
         krb
         tcf
         pcf
         rcf
         jmp intrx
-intr3,  idcf            / refreshed, it would leave the program no time
+iempty, idcf            / refreshed, it would leave the program no time
         dzm runing
 intrx,  lac 0
         ral             / the link as it was
@@ -183,6 +191,9 @@ intrx,  lac 0
         jmp i 0
 
 / Clock: each of switches 0-7 that is up adds its step to a sum.
+/ In: the switches.
+/ Out: sumx sumy sumz sums; the clock set again.
+/ Destroys: 17.
 tick,   0
         clc
         dac 7
@@ -196,7 +207,7 @@ tick,   0
         dac 17
         lac (777770     / eight switches
         dac tkn
-tick1,  lac i 17
+tkeach, lac i 17
         dac tkcell
         lac i 17
         dac tkstep
@@ -204,12 +215,12 @@ tick1,  lac i 17
         rcl
         dac tksw
         snl
-        jmp tick2
+        jmp tknext
         lac i tkcell
         tad tkstep
         dac i tkcell
-tick2,  isz tkn
-        jmp tick1
+tknext, isz tkn
+        jmp tkeach
         jmp i tick
 
 tktab,  sumx            / left, right
@@ -230,6 +241,9 @@ tktab,  sumx            / left, right
         777770
 
 / Viewing parameters: first values from the scene tape.
+/ In: scene tape, scale0.
+/ Out: ex ey ez scale; views and the sums are zero.
+/ Destroys: nothing else.
 initpr, 0
         IFNZRO WALK <
         dzm scene       / the cell is found when the first view begins
@@ -251,6 +265,9 @@ initpr, 0
 
 / Apply what the switches have summed up, within the box where the eye may be;
 / with WALK the sums are the steps that the walk takes.
+/ In: ex ey ez scale, the sums, scene tape.
+/ Out: ex ey ez scale, with WALK step instead of the eye; the sums are zero.
+/ Destroys: limlo limhi limt.
 newpar, 0
         iof
         IFZERO WALK <
@@ -308,6 +325,7 @@ newpar, 0
         dac scale
         jmp i newpar
 
+/ In: AC, scene tape.  Out: AC.  Destroys: limlo limhi limt.
 limitx, 0               / AC within the box's low x..high x
         dac limt
         lac scene+5
@@ -318,28 +336,30 @@ limitx, 0               / AC within the box's low x..high x
         jms limit
         jmp i limitx
 
+/ In: AC, limlo, limhi.  Out: AC.  Destroys: limt.
 limit,  0               / AC within limlo..limhi
         dac limt
         cma
         tad (1
         tad limlo       / lo - v
         spa
-        jmp limit1
+        jmp limhig
         lac limlo
         jmp i limit
-limit1, lac limhi
+limhig, lac limhi
         cma
         tad (1
         tad limt        / v - hi
         spa
-        jmp limit2
+        jmp limok
         lac limhi
         jmp i limit
-limit2, lac limt
+limok,  lac limt
         jmp i limit
 
 / Windows.  wxlo.. are units from the centre, half points with one fraction
 / bit; cx2 is the centre plus half a point, for rounding.
+/ In: ex, scale.  Out: pex pjw wxlo wxhi cx2.  Destroys: nothing else.
 monwin, 0
         lac scale
         IFNZRO FRACTION <
@@ -362,6 +382,9 @@ monwin, 0
         dac cx2
         jmp i monwin
 
+/ In: ex, eyesep, scale, scene tape.
+/ Out: pex pjw wxlo wxhi cx2.
+/ Destroys: limlo limhi limt.
 lefwin, 0
         jms halfw
         lac eyesep
@@ -374,6 +397,7 @@ lefwin, 0
         dac cx2
         jmp i lefwin
 
+/ In: as lefwin.  Out: as lefwin.  Destroys: as lefwin.
 rigwin, 0
         jms halfw
         lac eyesep
@@ -384,6 +408,7 @@ rigwin, 0
         dac cx2
         jmp i rigwin
 
+/ In: scale.  Out: pjw wxlo wxhi.  Destroys: nothing else.
 halfw,  0
         lac scale
         rcr

@@ -1,6 +1,10 @@
 / Tape 2: the search along the avenues of sight
 
 / One pass: one eye, one window.
+/ In: pex ey ez pjw wxlo wxhi cx2, scene tape, a file begun by newfil.
+/ Out: the file has the visible lines of the pass.
+/ Destroys: 10-16, the stack and all variables of tapes 2 to 7; leaves by fault
+/   on an error.
 onepas, 0
         lac pex
         cma
@@ -50,17 +54,17 @@ opnext, isz lp
         dac elem
         lac i elem
         spa
-        jmp opn1
+        jmp oplow
         lac (1          / N=0: the far cell is on the high side
         dac tolow
         lac elem
         tad (1
-        jmp opn2
-opn1,   lac (40000
+        jmp opset
+oplow,  lac (40000
         dac tolow
         lac elem
         tad (2
-opn2,   dac org         / the opening's X word, and its name
+opset,  dac org         / the opening's X word, and its name
         sad entry
         jmp opback      / the way we came in
 
@@ -95,12 +99,12 @@ opens,  lac org
         and tolow
         dac crossf      / nonzero: the eye may look through
         sza
-        jmp open3
+        jmp opbox
         lac t1
         and (4
         sna
         jmp opback      / neither a way nor a line
-open3,  lac i 15        / apart from the mask: nothing can be seen
+opbox,  lac i 15        / apart from the mask: nothing can be seen
         dac bxlo
         cma
         tad xhi1
@@ -183,13 +187,13 @@ crosbp, dzm rectf
         tad (1
         tad axis2
         sad (100000     / i to j, j to k
-        jmp cross1
+        jmp crosz
         sad (600000     / k to i
-        jmp cross1
+        jmp crosz
         lac revers
         xor (40000
         dac revers
-cross1, lac r
+crosz,  lac r
         jms zleast      / the least z at which the plane is in the bound
         dac zh
         cma
@@ -241,6 +245,9 @@ descnd, lac depth
 
 / The opening's plane: its first vectors along two axes, and the plane's place
 / on the third as seen from the eye.
+/ In: org.
+/ Out: nring vec1 vec2 axis1 axis2 ucell r.
+/ Destroys: 15 cnt t1; leaves by flt6 if a ring lies along one axis.
 plane,  0
         lac org
         tad (2
@@ -258,7 +265,7 @@ plane,  0
         sna
         jmp flt6
         dac axis1
-plane1, isz cnt
+plnext, isz cnt
         skp
         jmp flt6        / all along one axis
         lac i 15
@@ -267,20 +274,20 @@ plane1, isz cnt
         sna
         jmp flt6
         sad axis1
-        jmp plane1
+        jmp plnext
         dac axis2
         tad axis1
         sad (300000
-        jmp plane3
+        jmp plnk
         sad (400000
-        jmp plane2
+        jmp plnj
         lac (py         / across i
         dac ucell
         lac i org
         tad nex
         dac r
         jmp i plane
-plane2, lac (px         / across j
+plnj,   lac (px         / across j
         dac ucell
         lac org
         tad (1
@@ -289,7 +296,7 @@ plane2, lac (px         / across j
         tad ney
         dac r
         jmp i plane
-plane3, dzm ucell       / across k
+plnk,   dzm ucell       / across k
         lac org
         tad (2
         dac t1
@@ -303,6 +310,7 @@ plane3, dzm ucell       / across k
 
         IFZERO WALK <
 / An opening beyond the table is worked out every time.
+/ Out: 15 before the record at recend, which is empty.  Destroys: nothing else.
 beyond, 0
         lac (recend-1
         dac 15
@@ -311,13 +319,18 @@ beyond, 0
         >
 
 / Make the record of an opening, whose first word 15 points at: AC = that word.
+/ In: 15 at the record, org.
+/ Out: AC = its first word, 15 as before, the record, and what plane returns.
+/ Destroys: cnt t1 vecw rec pz bound bxlo bxhi bylo byhi, what proj destroys.
 newrec, 0
         lac 15
         dac rec
         jms plane
         IFNZRO WALK <
         jms extent
-        jmp newre0
+        jmp recsiz
+/ ext = how far an opening extends from the eye along each axis.
+/ In: org, axis1 axis2 of plane.  Out: ext.  Destroys: 15 vecw exaxis excell exsum.
 extent, 0
         >
         lac org         / the ends of its extent along each axis
@@ -345,65 +358,65 @@ extent, 0
         IFNZRO WALK <
         jmp i extent
         >
-newre0, lac (10
+recsiz, lac (10
         dac i rec
         lac ext+5
         tad (777777
         spa
-        jmp newre9      / all of it behind the eye
+        jmp nrdone      / all of it behind the eye
         lac ext+4
         tad (777777
         sma
-        jmp newre1
+        jmp nrnear
         lac (1
         dac ext+4
-newre1, lac ext+4       / seen largest at the nearest z
+nrnear, lac ext+4       / seen largest at the nearest z
         dac pz
         jms newz
         lac ext
         sma
-        jmp newre2
+        jmp nrnxhi
         jms clproj
         dac bxlo
-newre2, lac ext+1
+nrnxhi, lac ext+1
         spa
-        jmp newre3
+        jmp nrnylo
         jms clproj
         dac bxhi
-newre3, lac ext+2
+nrnylo, lac ext+2
         sma
-        jmp newre4
+        jmp nrnyhi
         jms clproj
         dac bylo
-newre4, lac ext+3
+nrnyhi, lac ext+3
         spa
-        jmp newre5
+        jmp nrfar
         jms clproj
         dac byhi
-newre5, lac ext+5       / and smallest at the farthest
+nrfar,  lac ext+5       / and smallest at the farthest
         dac pz
         jms newz
         lac ext
         spa
-        jmp newre6
+        jmp nrfxhi
         jms clproj
         dac bxlo
-newre6, lac ext+1
+nrfxhi, lac ext+1
         sma
-        jmp newre7
+        jmp nrfylo
         jms clproj
         dac bxhi
-newre7, lac ext+2
+nrfylo, lac ext+2
         spa
-        jmp newre8
+        jmp nrfyhi
         jms clproj
         dac bylo
-newre8, lac ext+3
+nrfyhi, lac ext+3
         sma
-        jmp newr10
+        jmp nrstor
         jms clproj
         dac byhi
-newr10, lac rec
+nrstor, lac rec
         dac 15
         lac bxlo
         dac i 15
@@ -415,40 +428,46 @@ newr10, lac rec
         dac i 15
         lac r
         sna
-        jmp newr12
+        jmp nrline
         spa
-        jmp newr11
+        jmp nrdown
         isz i rec       / beyond the eye: to be crossed upwards
-        jmp newr12
-newr11, lac i rec
+        jmp nrline
+nrdown, lac i rec
         tad (40000
         dac i rec
-newr12, lac org         / a real line?
+nrline, lac org         / a real line?
         tad (3
         dac 15
         lac nring
         cma
         tad (1
         dac cnt
-newr13, lac i 15
+nreach, lac i 15
         spa
-        jmp newr14
+        jmp nrreal
         isz cnt
-        jmp newr13
-        jmp newre9
-newr14, lac i rec
+        jmp nreach
+        jmp nrdone
+nrreal, lac i rec
         tad (4
         dac i rec
-newre9, lac rec
+nrdone, lac rec
         dac 15
         lac i rec
         jmp i newrec
 
+/ In: AC, bound and divisor by newz.
+/ Out: AC, projected from within the bound.
+/ Destroys: t1, what proj destroys.
 clproj, 0
         jms clamp
         jms proj
         jmp i clproj
 
+/ In: AC = axis, vecw = a vector of the run, 15 at it.
+/ Out: ext; vecw and 15: the vector after the run.
+/ Destroys: nothing else.
 extend, 0               / extend the extent by a run of vectors along axis AC
         dac exaxis
         cll
@@ -458,11 +477,11 @@ extend, 0               / extend the extent by a run of vectors along axis AC
         tad (ext-2
         dac excell
         dzm exsum
-exten1, lac vecw
+exnext, lac vecw
         and (300000
         sad exaxis
         skp
-        jmp exten2
+        jmp exdone
         lac vecw
         and (77777
         xor (40000
@@ -471,8 +490,8 @@ exten1, lac vecw
         dac exsum
         lac i 15
         dac vecw
-        jmp exten1
-exten2, lac exsum
+        jmp exnext
+exdone, lac exsum
         sma
         isz excell
         tad i excell
@@ -480,10 +499,11 @@ exten2, lac exsum
         jmp i extend
 
 / Forget all records: a pass begins.
+/ Out: the records are zero.  Destroys: rec cnt.
 forget, 0
         IFNZRO WALK <
         lac (scene+13
-forge1, dac rec         / from opening to opening, up to the planes of cell 0
+fgopn,  dac rec         / from opening to opening, up to the planes of cell 0
         tad (-c0+4
         sma
         jmp i forget
@@ -494,19 +514,19 @@ forge1, dac rec         / from opening to opening, up to the planes of cell 0
         lac i t1
         tad t1
         tad (1
-        jmp forge1
+        jmp fgopn
         >
         IFZERO WALK <
         lac (recs
         dac rec
         lac (-recmax+1
         dac cnt
-forge1, dzm i rec
+fgnext, dzm i rec
         lac rec
         tad (5
         dac rec
         isz cnt
-        jmp forge1
+        jmp fgnext
         jmp i forget
         >
 
@@ -532,6 +552,9 @@ oplast, lac depth
 
 / The stack holds a mask (its count, its box, its sloped edges), then where the
 / search stands: place in the list, entry and cell.  One word ties the frames.
+/ In: the mask, sp.
+/ Out: the mask at sp, spnew = the first word after it.
+/ Destroys: 15 16 cnt.
 stackm, 0
         lac (maskw-1
         dac 15
@@ -545,6 +568,7 @@ stackm, 0
         dac spnew
         jmp i stackm
 
+/ In: sp.  Out: the mask.  Destroys: 15 16 cnt.
 unstak, 0               / the mask at sp is the current one again
         lac sp
         tad (777777
@@ -555,6 +579,7 @@ unstak, 0               / the mask at sp is the current one again
         jms copy
         jmp i unstak
 
+/ In: AC, 15, 16.  Out: 15 and 16 at the last words.  Destroys: cnt.
 copy,   0               / a mask of -AC sloped edges from 15 to 16
         rcl
         rcl
@@ -572,12 +597,15 @@ copy,   0               / a mask of -AC sloped edges from 15 to 16
         lac cnt
         sna
         jmp i copy
-copy1,  lac i 15        / the edges
+cpedge, lac i 15        / the edges
         dac i 16
         isz cnt
-        jmp copy1
+        jmp cpedge
         jmp i copy
 
+/ In: sp spnew lp entry cell.
+/ Out: sp = the first free word.
+/ Destroys: 16 t1; leaves by flt1 if the stack is full.
 push,   0               / the rest of the frame, behind the mask
         lac spnew
         tad (4

@@ -2,19 +2,22 @@
 
 / Bounds for the eye and scale of this pass: K = 4, doubled while K*W is below
 / 1024 points; with two or three fraction bits 1 if 4*W is above 2^15.
+/ In: pjw.
+/ Out: nzcap, km1, the shifts of newz and zleast.
+/ Destroys: nothing else.
 setbnd, 0
         lac (nop
-        dac bl1
-        dac bl2
-        dac bl3
-        dac br1
-        dac br2
-        dac br3
+        dac shl8
+        dac shl16
+        dac shl32
+        dac shr8
+        dac shr16
+        dac shr32
         IFNZRO FRACTION&2 <
         lac (rcl
-        dac bl4
+        dac shl4
         lac (rcr
-        dac br4
+        dac shr4
         >
         lac (-100000+1  / -(2^17)/4
         dac nzcap
@@ -27,45 +30,46 @@ setbnd, 0
         jmp i setbnd
         >
         IFNZRO FRACTION&2 <
-        jmp setbn1
+        jmp sbwide
         >
         lac (rcl
-        dac bl1
+        dac shl8
         lac (rcr
-        dac br1
-        jms setb1
+        dac shr8
+        jms kdoubl
         lac pjw
         tad (-u200+1
         sma
         jmp i setbnd
         lac (rcl
-        dac bl2
+        dac shl16
         lac (rcr
-        dac br2
-        jms setb1
+        dac shr16
+        jms kdoubl
         lac pjw
         tad (-u100+1
         sma
         jmp i setbnd
         lac (rcl
-        dac bl3
+        dac shl32
         lac (rcr
-        dac br3
-        jms setb1
+        dac shr32
+        jms kdoubl
         jmp i setbnd
         IFNZRO FRACTION&2 <
-setbn1, tad (u400-20000
+sbwide, tad (u400-20000
         spa             / is W above 2^13?
         jmp i setbnd
         lac (400000     / K = 1
         dac nzcap
         dzm km1
         lac (skp        / pass over both shifts
-        dac bl4
-        dac br4
+        dac shl4
+        dac shr4
         jmp i setbnd
         >
-setb1,  0               / K doubles: the cap halves
+/ In: nzcap, km1.  Out: nzcap, km1.  Destroys: nothing else.
+kdoubl, 0               / K doubles: the cap halves
         lac nzcap
         stl
         rar
@@ -74,9 +78,10 @@ setb1,  0               / K doubles: the cap halves
         stl
         ral
         dac km1
-        jmp i setb1
+        jmp i kdoubl
 
 / The bound B = min(K*z, 377777) and the divisor, for the point's new z.
+/ In: pz.  Out: bound; the divisor of proj is pz.  Destroys: nothing else.
 newz,   0
         lac pz
         IFNZRO EAE <
@@ -93,22 +98,27 @@ newz,   0
         lac pz
         tad nzcap
         sma
-        jmp newz1
+        jmp nzmost
         lac pz
-bl4,    rcl
+shl4,   rcl
         rcl
-bl1,    nop             / rcl for K = 8
-bl2,    nop             / 16
-bl3,    nop             / 32
+shl8,   nop             / rcl for K = 8
+shl16,  nop             / 16
+shl32,  nop             / 32
         dac bound
         jmp i newz
-newz1,  lac (377777
+nzmost, lac (377777
         dac bound
         jmp i newz
 
 / Follow a chain of vectors.  10 points before its X; on return at its last
 / word.  Real lines are drawn; with ringf set the corners are collected as a
 / polygon.
+/ In: 10, ringf, the mask, nex ney nez; with ringf set also zh nzh ucell and a
+/   polygon begun by newpol.
+/ Out: 10; the lines are in the file, the corners in the polygon.
+/ Destroys: px py pz bound vx vy sx sy told vecw clmpa clmpb zmin, what clip2
+/   destroys; with ringf set also what corner and middle destroy.
 chain,  0
         lac i 10
         tad nex
@@ -153,10 +163,10 @@ vector, lac i 10
         jmp veciz       / a dummy
         lac vy
         sna
-        jmp veci1
+        jmp vicold
         lac vx
         sna
-        jmp veci6
+        jmp viclmp
         lac told        / the end before is known, so in the bound
         dac clmpa
         lac px
@@ -164,8 +174,8 @@ vector, lac i 10
         dac clmpb
         sad told
         jmp veciz
-        jmp veci2
-veci1,  lac pz
+        jmp viseen
+vicold, lac pz
         tad (777777
         spa
         jmp veciz
@@ -177,7 +187,7 @@ veci1,  lac pz
         tad bound       / B - |y|
         spa
         jmp veciz
-veci6,  lac told
+viclmp, lac told
         jms clamp
         dac clmpa
         lac px
@@ -187,24 +197,24 @@ veci6,  lac told
         jmp veciz
         lac vy
         sza
-        jmp veci2
+        jmp viseen
         lac py
         jms proj
         dac sy
         isz vy
-veci2,  lac sy
+viseen, lac sy
         dac lay
         dac lby
         lac vx
         sna
-        jmp veci3
+        jmp viproj
         lac clmpa
         sad told
-        jmp veci4
-veci3,  lac clmpa
+        jmp viends
+viproj, lac clmpa
         jms proj
         dac sx
-veci4,  lac sx
+viends, lac sx
         dac lax
         lac clmpb
         jms proj
@@ -236,10 +246,10 @@ vecjk,  spa
         jmp vecjz
         lac vx
         sna
-        jmp vecj1
+        jmp vjcold
         lac vy
         sna
-        jmp vecj6
+        jmp vjclmp
         lac told        / the end before is known, so in the bound
         dac clmpa
         lac py
@@ -247,8 +257,8 @@ vecjk,  spa
         dac clmpb
         sad told
         jmp vecjz
-        jmp vecj2
-vecj1,  lac pz
+        jmp vjseen
+vjcold, lac pz
         tad (777777
         spa
         jmp vecjz
@@ -260,7 +270,7 @@ vecj1,  lac pz
         tad bound       / B - |x|
         spa
         jmp vecjz
-vecj6,  lac told
+vjclmp, lac told
         jms clamp
         dac clmpa
         lac py
@@ -270,24 +280,24 @@ vecj6,  lac told
         jmp vecjz
         lac vx
         sza
-        jmp vecj2
+        jmp vjseen
         lac px
         jms proj
         dac sx
         isz vx
-vecj2,  lac sx
+vjseen, lac sx
         dac lax
         dac lbx
         lac vy
         sna
-        jmp vecj3
+        jmp vjproj
         lac clmpa
         sad told
-        jmp vecj4
-vecj3,  lac clmpa
+        jmp vjends
+vjproj, lac clmpa
         jms proj
         dac sy
-vecj4,  lac sy
+vjends, lac sy
         dac lay
         lac clmpb
         jms proj
@@ -319,36 +329,36 @@ veck,   lac pz
         sza
         lac vy
         sna
-        jmp veck4
+        jmp vkcold
         lac mag
         sma
-        jmp veck3       / going away from a point in the bound
+        jmp vkin        / going away from a point in the bound
         jms newz
         lac pz
         tad (777777
         spa
-        jmp veck5
+        jmp vkrais
         jms inside
         spa
-        jmp veck5
-        jmp veck3
-veck4,  lac mag
+        jmp vkrais
+        jmp vkin
+vkcold, lac mag
         spa
-        jmp veck5
+        jmp vkrais
         lac told
         tad (777777
         spa
-        jmp veck5
+        jmp vkrais
         jms inside
         spa
-        jmp veck5
+        jmp vkrais
         lac px
         jms proj
         dac sx
         lac py
         jms proj
         dac sy
-veck3,  lac sx
+vkin,   lac sx
         dac lax
         lac sy
         dac lay
@@ -359,7 +369,7 @@ veck3,  lac sx
         dac vy
         jms clip2
         jmp vecend      / no bend: both ends are in the bound
-veck5,  lac px          / raise both ends to the least z in the bound
+vkrais, lac px          / raise both ends to the least z in the bound
         jms zleast
         dac zmin
         lac py
@@ -426,14 +436,17 @@ vecnxt, lac ringf
         jmp vector
 
 / Append the corner reached, drawn back into the bound, to the polygon.
+/ In: px py pz vx vy sx sy zh nzh, the polygon being made.
+/ Out: the polygon; sx sy vx vy.
+/ Destroys: clmpa crx cry told t1, what proj destroys.
 corner, 0
         lac nzh
         tad pz
         spa
-        jmp corne3      / nearer than the plane's least z
+        jmp cornnr      / nearer than the plane's least z
         lac vx
         sza
-        jmp corne1
+        jmp corny
         lac px
         jms clamp
         dac clmpa
@@ -442,9 +455,9 @@ corner, 0
         lac clmpa
         sad px
         isz vx
-corne1, lac vy
+corny,  lac vy
         sza
-        jmp corne2
+        jmp cornap
         lac py
         jms clamp
         dac clmpa
@@ -453,13 +466,13 @@ corne1, lac vy
         lac clmpa
         sad py
         isz vy
-corne2, lac sx
+cornap, lac sx
         dac crx
         lac sy
         dac cry
         jms append
         jmp i corner
-corne3, lac pz
+cornnr, lac pz
         dac told
         lac zh
         dac pz
@@ -480,6 +493,9 @@ corne3, lac pz
 
 / Along k, from told to pz, the outline may enter or leave the bound where
 / the coordinate in ucell is K*z: append that point.
+/ In: px py pz told zh ucell, the polygon being made.
+/ Out: the polygon; the divisor of proj is pz.
+/ Destroys: clmpa clmpb zmin crx cry t1 t3 t4 t5, what proj destroys.
 middle, 0
         lac i ucell
         jms zleast
@@ -520,6 +536,9 @@ middle, 0
         jms setz
         jmp i middle
 
+/ In: px py, the divisor of proj.
+/ Out: lbx = sx, lby = sy.
+/ Destroys: what proj destroys.
 projxy, 0               / both coordinates at the point reached
         lac px
         jms proj
@@ -531,6 +550,7 @@ projxy, 0               / both coordinates at the point reached
         dac sy
         jmp i projxy
 
+/ In: px py bound.  Out: AC.  Destroys: nothing else.
 inside, 0               / AC negative if |x| or |y| is beyond the bound
         lac px
         spa
@@ -549,62 +569,66 @@ inside, 0               / AC negative if |x| or |y| is beyond the bound
         jmp i inside
 
 / AC within -bound..bound.
+/ In: AC, bound.  Out: AC.  Destroys: t1.
 clamp,  0
         dac t1
         spa
-        jmp clamp1
+        jmp clampn
         cma
         tad bound       / B-1 - x: at B either way gives B
         sma
-        jmp clamp2
+        jmp clmpok
         lac bound
         jmp i clamp
-clamp1, tad bound
+clampn, tad bound
         sma
-        jmp clamp2
+        jmp clmpok
         lac bound
         cma
         tad (1
         jmp i clamp
-clamp2, lac t1
+clmpok, lac t1
         jmp i clamp
 
 / AC = max(1, (|AC|+K-1)/K): the least z at which a coordinate is in the bound
+/ In: AC.  Out: AC.  Destroys: t1.
 zleast, 0
         sma
         jmp .+3
         cma
         tad (1
         tad km1
-br4,    rcr
+shr4,   rcr
         rcr
-br1,    nop             / rcr for K = 8
-br2,    nop             / 16
-br3,    nop             / 32
+shr8,   nop             / rcr for K = 8
+shr16,  nop             / 16
+shr32,  nop             / 32
         dac t1
         tad (777777
         sma
-        jmp zlea1
+        jmp zlkeep
         lac (1
         jmp i zleast
-zlea1,  lac t1
+zlkeep, lac t1
         jmp i zleast
 
+/ In: AC, zmin.  Out: AC.  Destroys: t1.
 raise,  0               / AC, but not below zmin
         dac t1
         cma
         tad (1
         tad zmin
         spa
-        jmp raise1
+        jmp rskeep
         lac zmin
         jmp i raise
-raise1, lac t1
+rskeep, lac t1
         jmp i raise
 
 / Perspective: AC = sign * (|AC|*W + z/2) / z, with W in pjw, z by setz; half
 / of z is left out where quotients are cut off.
         IFNZRO EAE <
+/ In: AC = z, positive.  Out: the divisor of proj.  Destroys: nothing else.
 setz,   0
         dac pjz
         dac pjzn
@@ -612,9 +636,13 @@ setz,   0
         dac pjh
         jmp i setz
 
+/ In: AC, pjw, the divisor by newz or setz.
+/ Out: AC.
+/ Destroys: t1 and mdm without the EAE; leaves by flt3 if the quotient is too
+/   large.
 proj,   0
         spa
-        jmp proj1
+        jmp projn
         lmq
         IFZERO TRUNCATE <
         lac pjh         / mulac adds it to the product
@@ -631,7 +659,7 @@ pjz,    0
         jmp flt3
         lacq
         jmp i proj
-proj1,  cma             / the same of a negative one
+projn,  cma             / the same of a negative one
         tad (1
         dac pjx
         lac pjw
@@ -672,28 +700,28 @@ proj,   0
         cma
         tad (1
         dzm pjq
-proj1,  dac mdm         / x, less whole multiples of z
+projsb, dac mdm         / x, less whole multiples of z
         tad pjnz
         spa
-        jmp proj2
+        jmp projm
         dac t1
         lac pjq
         tad pjw
         dac pjq
         lac t1
-        jmp proj1
-proj2,  lac pjnz
+        jmp projsb
+projm,  lac pjnz
         dac mdnc
         lac pjw
-        jms muldv1
+        jms mdloop
         tad pjq
         dac t1
         lac pjs
         spa
-        jmp proj3
+        jmp projng
         lac t1
         jmp i proj
-proj3,  lac t1
+projng, lac t1
         cma
         tad (1
         jmp i proj

@@ -3,6 +3,10 @@
 / The line A-B (lax lay lbx lby) against the box of the mask, then against its
 / sloped edges; what is left is drawn.  A coordinate on the line counts as
 / inside.  dp and dq are the distances of A and B from the side.
+/ In: lax lay lbx lby, the mask, the file.
+/ Out: the file has what is left.
+/ Destroys: lax lay lbx lby 13 dp nsl spx spy, and what getedg, side2, both2,
+/   cross and piece destroy.
 clip2,  0
         lac lax         / x >= xlo
         tad nxlo
@@ -84,7 +88,7 @@ clslop, lac nslope      / minus the number of sloped edges
         dac nsl
         lac (slopes-1
         dac 13
-clsl1,  jms getedg
+cledge, jms getedg
         lac lax
         dac spx
         lac lay
@@ -97,21 +101,21 @@ clsl1,  jms getedg
         dac spy
         jms side2
         spa
-        jmp clsl3       / B outside
+        jmp clbout      / B outside
         lac sida
         sma
-        jmp clsl2       / both inside
+        jmp clnext      / both inside
         jms both2
         jms crosta
-clsl2,  isz nsl
-        jmp clsl1
+clnext, isz nsl
+        jmp cledge
         jmp cldone
-clsl3,  lac sida
+clbout, lac sida
         spa
         jmp i clip2     / both outside
         jms both2
         jms crostb
-        jmp clsl2
+        jmp clnext
 
 cldone, lac lax
         sad lbx
@@ -124,6 +128,9 @@ clpiec, jms piece
         jmp i clip2
 
 / A or B becomes the crossing with a side of the box; AC = the distance of B.
+/ In: AC = distance of B, dp = that of A.
+/ Out: lax lay.
+/ Destroys: mdm mdd crx cry.
 crosa,  0
         dac mdd
         lac dp          / A is outside
@@ -134,6 +141,9 @@ crosa,  0
         dac mdd
         jms crosta
         jmp i crosa
+/ In: AC = distance of B, dp = that of A.
+/ Out: lbx lby.
+/ Destroys: mdm mdd crx cry.
 crosb,  0
         cma             / B is outside
         tad (1
@@ -145,6 +155,7 @@ crosb,  0
         jmp i crosb
 
 / A or B becomes the point at the ratio in mdm, mdd.
+/ In: lax lay lbx lby mdm mdd.  Out: lax lay.  Destroys: crx cry.
 crosta, 0
         jms cross
         lac crx
@@ -152,6 +163,7 @@ crosta, 0
         lac cry
         dac lay
         jmp i crosta
+/ In: lax lay lbx lby mdm mdd.  Out: lbx lby.  Destroys: crx cry.
 crostb, 0
         jms cross
         lac crx
@@ -161,6 +173,7 @@ crostb, 0
         jmp i crostb
 
 / The point of A-B at mdm/mdd of the way: crx, cry.
+/ In: lax lay lbx lby mdm mdd.  Out: crx cry.  Destroys: nothing else.
 cross,  0
         lac lax
         cma
@@ -178,25 +191,27 @@ cross,  0
         dac cry
         jmp i cross
 
+/ In: AC, mdm, mdd.  Out: AC.  Destroys: nothing else.
 part,   0               / AC = sign * muldiv |AC|
         sna
         jmp i part
         spa
-        jmp part1
+        jmp partn
         sad mdd         / across a side of the box
-        jmp part2
+        jmp partbx
         jms muldiv
         jmp i part
-part1,  cma
+partn,  cma
         tad (1
         jms muldiv
         cma
         tad (1
         jmp i part
-part2,  lac mdm
+partbx, lac mdm
         jmp i part
 
 / Ratio |dp| / (|dp|+|dq|) of two single distances of unlike sign.
+/ In: dp, dq.  Out: mdm, mdd.  Destroys: nothing else.
 ratio1, 0
         lac dp
         sma
@@ -214,6 +229,9 @@ ratio1, 0
         jmp i ratio1
 
 / The same of the double distances of A and B from the current edge.
+/ In: lax lay lbx lby, the edge by getedg.
+/ Out: mdm, mdd.
+/ Destroys: spx spy acch accl smb.
 both2,  0
         lac lax
         dac spx
@@ -239,17 +257,17 @@ both2,  0
         tad numh
         tad acch
         dac denh
-both2a, lac denh        / shift both right until den is below 2^17
+b2test, lac denh        / shift both right until den is below 2^17
         sza
-        jmp both2b
+        jmp b2shft
         lac denl
         spa
-        jmp both2b
+        jmp b2shft
         dac mdd
         lac numl
         dac mdm
         jmp i both2
-both2b, lac denh
+b2shft, lac denh
         rcr
         dac denh
         lac denl
@@ -261,8 +279,9 @@ both2b, lac denh
         lac numl
         rar
         dac numl
-        jmp both2a
+        jmp b2test
 
+/ In: acch accl.  Out: acch accl.  Destroys: nothing else.
 absacc, 0
         lac acch
         sma
@@ -270,6 +289,7 @@ absacc, 0
         jms negacc
         jmp i absacc
 
+/ In: acch accl.  Out: acch accl.  Destroys: nothing else.
 negacc, 0               / the double accumulator becomes its negative
         lac accl
         cma
@@ -284,6 +304,9 @@ negacc, 0               / the double accumulator becomes its negative
         jmp i negacc
 
 / Next sloped edge: a and its vector.
+/ In: 13 before the edge.
+/ Out: neax neay edx edy nedy; 13 before the next edge.
+/ Destroys: nothing else.
 getedg, 0
         lac i 13
         dac neax
@@ -300,6 +323,7 @@ getedg, 0
 
 / On which side of the edge is (spx, spy)?  AC negative: outside.  The signs
 / of the two products mostly decide; only if they are unlike is it worked out.
+/ In: spx spy, the edge by getedg.  Out: AC.  Destroys: acch accl smb.
 side2,  0
         lac spx
         tad neax
@@ -308,10 +332,10 @@ side2,  0
         tad neay
         dac ev
         sna
-        jmp sid2a       / dx*v = 0
+        jmp sidzer      / dx*v = 0
         xor edx
         spa
-        jmp sid2b       / dx*v < 0
+        jmp sidneg      / dx*v < 0
         lac eu          / dx*v > 0
         sna
         jmp i side2
@@ -319,14 +343,14 @@ side2,  0
         spa
         jmp sidin
         jmp sidful
-sid2a,  lac eu
+sidzer, lac eu
         sna
         jmp i side2
         xor edy
         spa
         jmp sidin
         jmp sidout
-sid2b,  lac eu
+sidneg, lac eu
         sna
         jmp sidout
         xor edy
@@ -342,6 +366,7 @@ sidout, clc
 
 / Distance of (spx, spy) from the edge, a double word:
 / dx*(p.y-a.y) - dy*(p.x-a.x)
+/ In: spx spy, the edge by getedg.  Out: acch accl.  Destroys: smb.
 dist2,  0
         dzm acch
         dzm accl
@@ -361,6 +386,7 @@ dist2,  0
         IFNZRO EAE <
 / The machine multiplies unsigned words and adds AC to the product.  A negative
 / factor is 2^18 too much, which the other one takes back from the high word.
+/ In: AC, smb, acch accl.  Out: acch accl; smb is kept.  Destroys: nothing else.
 addprd, 0
         dac sma1
         lmq
@@ -374,13 +400,13 @@ smb,    0
         dac accl
         lac sma1
         sma
-        jmp addpr1
+        jmp apsmb
         lac smb
         cma
         tad (1
         tad acch
         dac acch
-addpr1, lac smb
+apsmb,  lac smb
         sma
         jmp i addprd
         lac sma1
@@ -410,14 +436,15 @@ addprd, 0
         jms mpy
         lac smsign
         sma
-        jmp addpr1
+        jmp apadd
         jms cmpacc      / a - p = ~(~a + p)
         jms adddbl
         jms cmpacc
         jmp i addprd
-addpr1, jms adddbl
+apadd,  jms adddbl
         jmp i addprd
 
+/ In: mpyh mpyl, acch accl.  Out: acch accl.  Destroys: nothing else.
 adddbl, 0
         lac mpyl
         cll
@@ -429,6 +456,7 @@ adddbl, 0
         dac acch
         jmp i adddbl
 
+/ In: acch accl.  Out: acch accl.  Destroys: nothing else.
 cmpacc, 0
         lac accl
         cma

@@ -4,6 +4,7 @@
 / against it needs, and all that goes on the stack.
 
 / The first mask of a pass: the window.
+/ In: wxlo wxhi.  Out: the mask.  Destroys: bxlo bxhi bylo byhi.
 winmsk, 0
         lac wxlo
         dac bxlo
@@ -17,6 +18,7 @@ winmsk, 0
         dzm nslope
         jmp i winmsk
 
+/ In: bxlo bxhi bylo byhi.  Out: nxlo xhi1 nylo yhi1.  Destroys: nothing else.
 setbox, 0
         lac bxlo
         cma
@@ -35,6 +37,9 @@ setbox, 0
         jmp i setbox
 
 / The polygon, with its box, becomes the current mask.
+/ In: the polygon, bxlo bxhi bylo byhi.
+/ Out: the mask.
+/ Destroys: 12 15 cnt lax lay lbx lby shfx shfy t1 t3.
 newmsk, 0
         jms setbox
         dzm nslope
@@ -52,16 +57,16 @@ newmsk, 0
         lac i 12
         dac lay
         dac shfy
-newms1, isz cnt
+nmedge, isz cnt
         skp
-        jmp newms2
+        jmp nmlast
         lac i 12
         dac lbx
         lac i 12
         dac lby
         jms slope
-        jmp newms1
-newms2, lac shfx        / the last vertex to the first
+        jmp nmedge
+nmlast, lac shfx        / the last vertex to the first
         dac lbx
         lac shfy
         dac lby
@@ -69,13 +74,16 @@ newms2, lac shfx        / the last vertex to the first
         jmp i newmsk
 
 / Add the edge (lax,lay)-(lbx,lby) if it is sloped; b becomes a.
+/ In: lax lay lbx lby, 15 where it is written, nslope.
+/ Out: 15, nslope, lax lay.
+/ Destroys: t1 t3.
 slope,  0
         lac lax
         sad lbx
-        jmp slope1
+        jmp slmovy
         lac lay
         sad lby
-        jmp slope2
+        jmp slmovx
         lac lax
         cma
         tad (1
@@ -95,13 +103,14 @@ slope,  0
         lac nslope
         tad (777777
         dac nslope
-slope1, lac lby
+slmovy, lac lby
         dac lay
-slope2, lac lbx
+slmovx, lac lbx
         dac lax
         jmp i slope
 
 / Box bxlo bxhi bylo byhi of the polygon.
+/ In: the polygon.  Out: bxlo bxhi bylo byhi.  Destroys: 12 cnt t1 t3.
 box,    0
         lac pcur
         dac 12
@@ -115,7 +124,7 @@ box,    0
         lac i 12
         dac bylo
         dac byhi
-box1,   isz cnt
+bxnext, isz cnt
         skp
         jmp i box
         lac i 12
@@ -124,35 +133,36 @@ box1,   isz cnt
         dac t3
         tad bxlo
         spa
-        jmp box2
+        jmp bxxhi
         lac t1
         dac bxlo
-        jmp box3
-box2,   lac t3
+        jmp bxy
+bxxhi,  lac t3
         tad bxhi
         sma
-        jmp box3
+        jmp bxy
         lac t1
         dac bxhi
-box3,   lac i 12
+bxy,    lac i 12
         dac t1
         cma
         dac t3
         tad bylo
         spa
-        jmp box4
+        jmp bxyhi
         lac t1
         dac bylo
-        jmp box1
-box4,   lac t3
+        jmp bxnext
+bxyhi,  lac t3
         tad byhi
         sma
-        jmp box1
+        jmp bxnext
         lac t1
         dac byhi
-        jmp box1
+        jmp bxnext
 
 / Begin a polygon: room for 16 vertices, no last one.
+/ Out: pnroom, lastx of the polygon being made.  Destroys: nothing else.
 newpol, 0
         lac (777757     / -17
         dac pnroom
@@ -161,11 +171,14 @@ newpol, 0
         jmp i newpol
 
 / Append (crx, cry) to the polygon that 11 writes, unless it repeats the last.
+/ In: crx cry, the polygon being made.
+/ Out: the polygon.
+/ Destroys: nothing else; leaves by flt4 if the polygon is full.
 append, 0
         lac crx
         sad lastx
-        jmp appen2
-appen1, dac i 11
+        jmp apsamx
+apput,  dac i 11
         dac lastx
         lac cry
         dac i 11
@@ -173,14 +186,15 @@ appen1, dac i 11
         isz pnroom
         jmp i append
         jmp flt4
-appen2, lac cry
+apsamx, lac cry
         sad lasty
         jmp i append
         lac crx
-        jmp appen1
+        jmp apput
 
 / The polygon written behind the word AC is complete: count it, and drop the
 / last vertex if it equals the first.
+/ In: AC, the polygon being made.  Out: pn.  Destroys: t1.
 wrap,   0
         tad (1
         dac t1
@@ -207,6 +221,11 @@ wrap,   0
 / Intersect the projected opening, whose box is within bxlo bxhi bylo byhi, with
 / the mask; AC = 0 if nothing is left but a point or a line along an axis.  With
 / rectf set there is the box alone, and it becomes that of the intersection.
+/ In: the polygon, bxlo bxhi bylo byhi, revers, rectf, the mask.
+/ Out: AC, the polygon, bxlo bxhi bylo byhi.
+/ Destroys: 13 neax neay edx edy nedy nsl sdload sdneg, what turn, box and
+/   shpass destroy; leaves by crosbr if rectf is set and a sloped edge cuts the
+/   box.
 isect,  0
         lac revers
         sza
@@ -214,7 +233,7 @@ isect,  0
         lac bxlo
         tad nxlo
         sma
-        jmp isec2
+        jmp isxhi
         jms shside
         lac lbx
         nop
@@ -223,11 +242,11 @@ isect,  0
         cma
         tad (1
         dac bxlo
-isec2,  lac bxhi
+isxhi,  lac bxhi
         cma
         tad xhi1
         sma
-        jmp isec3
+        jmp isylo
         jms shside
         lac lbx
         cma
@@ -235,10 +254,10 @@ isec2,  lac bxhi
         lac xhi1
         tad (777777
         dac bxhi
-isec3,  lac bylo
+isylo,  lac bylo
         tad nylo
         sma
-        jmp isec4
+        jmp isyhi
         jms shside
         lac lby
         nop
@@ -247,11 +266,11 @@ isec3,  lac bylo
         cma
         tad (1
         dac bylo
-isec4,  lac byhi
+isyhi,  lac byhi
         cma
         tad yhi1
         sma
-        jmp isec5
+        jmp isslop
         jms shside
         lac lby
         cma
@@ -259,90 +278,97 @@ isec4,  lac byhi
         lac yhi1
         tad (777777
         dac byhi
-isec5,  lac nslope
+isslop, lac nslope
         sna
-        jmp isec7
+        jmp isbox
         dac nsl
         lac (slopes-1
         dac 13
-isec6,  jms getedg
+isedge, jms getedg
         lac edy         / the corner of the box that is farthest out
         sma
-        jmp isec8
+        jmp isxmax
         lac bxlo
         skp
-isec8,  lac bxhi
+isxmax, lac bxhi
         dac spx
         lac edx
         sma
-        jmp isec9
+        jmp isymin
         lac byhi
         skp
-isec9,  lac bylo
+isymin, lac bylo
         dac spy
         jms side2
         sma
-        jmp isec10      / all inside: nothing to cut
+        jmp isnext      / all inside: nothing to cut
         IFNZRO EAE <
         lac rectf
         sza
         jmp crosbr
         >
         lac (jms shslop
-        dac shd1
+        dac sdload
         lac (nop
-        dac shd2
+        dac sdneg
         jms shpass
         sna
         jmp i isect
-isec10, isz nsl
-        jmp isec6
-isec7,  lac rectf
+isnext, isz nsl
+        jmp isedge
+isbox,  lac rectf
         sna
         jms box
         lac bxlo
         sad bxhi
-        jmp isec0
+        jmp isnone
         lac bylo
         sad byhi
-        jmp isec0
+        jmp isnone
         lac pn
         jmp i isect
-isec0,  lac (0
+isnone, lac (0
         jmp i isect
 
 / A round of clipping against a side of the box: the three instructions follow.
+/ In: three instructions, the polygon.
+/ Out: the polygon; leaves isect by isnone if it is empty.
+/ Destroys: sdload sdneg, what shpass destroys.
 shside, 0
         lac rectf
         sza
-        jmp shsid1
+        jmp shsbox
         lac i shside
-        dac shd1
+        dac sdload
         isz shside
         lac i shside
-        dac shd2
+        dac sdneg
         isz shside
         lac i shside
         isz shside
         jms shpass
         sna
-        jmp isec0
+        jmp isnone
         jmp i shside
-shsid1, lac shside      / a box only: the caller cuts it
+shsbox, lac shside      / a box only: the caller cuts it
         tad (3
         dac shside
         jmp i shside
 
 / One round of clipping against the line whose distance of (lbx, lby) the
-/ three instructions at shd1 give; the third comes in AC.  p is (lax, lay) at
+/ three instructions at sdload give; the third comes in AC.  p is (lax, lay) at
 / distance dp, q the vertex after it.  AC on return = the number of vertices,
 / or 0.
-shd1,   lac lbx
-shd2,   cma
-shd3,   tad xhi1
+sdload, lac lbx
+sdneg,  cma
+sdadd,  tad xhi1
 
+/ In: AC, sdload, sdneg, the polygon.
+/ Out: AC, the polygon.
+/ Destroys: 11 12 crx cry dp dq lax lay lbx lby shfx shfy shfd mdm mdd t1; for a
+/   sloped edge also spx spy acch accl smb.
 shpass, 0
-        dac shd3
+        dac sdadd
         lac pcur
         dac 12
         lac palt
@@ -360,9 +386,9 @@ shpass, 0
         dac lby
         dac lay
         dac shfy
-        xct shd1
-        xct shd2
-        xct shd3
+        xct sdload
+        xct sdneg
+        xct sdadd
         dac dp
         dac shfd
         spa
@@ -376,8 +402,8 @@ shin,   lac lax
         isz pnroom
         skp
         jmp flt4
-shin1,  isz shcnt
-        jmp shin2
+shinq,  isz shcnt
+        jmp shinxt
         lac lax
         dac lastx
         lac lay
@@ -386,22 +412,22 @@ shin1,  isz shcnt
         spa
         jms shcros
         jmp shdone
-shin2,  lac i 12
+shinxt, lac i 12
         dac lbx
         lac i 12
         dac lby
-        xct shd1
-        xct shd2
-        xct shd3
+        xct sdload
+        xct sdneg
+        xct sdadd
         spa
-        jmp shin3
+        jmp shleav
         dac dp
         lac lbx
         dac lax
         lac lby
         dac lay
         jmp shin
-shin3,  dac dq          / it leaves
+shleav, dac dq          / it leaves
         lac lax
         dac lastx
         lac lay
@@ -409,34 +435,34 @@ shin3,  dac dq          / it leaves
         jms shcros
 
 shout,  isz shcnt
-        jmp shout1
+        jmp shonxt
         jms shlast
         sma
         jms shcros
         jmp shdone
-shout1, lac i 12
+shonxt, lac i 12
         dac lbx
         lac i 12
         dac lby
-        xct shd1
-        xct shd2
-        xct shd3
+        xct sdload
+        xct sdneg
+        xct sdadd
         sma
-        jmp shout2
+        jmp shentr
         dac dp
         lac lbx
         dac lax
         lac lby
         dac lay
         jmp shout
-shout2, dac dq          / it enters; the first vertex may be the crossing
+shentr, dac dq          / it enters; the first vertex may be the crossing
         jms shcros
         lac lax
         dac crx
         lac lay
         dac cry
         jms append
-        jmp shin1
+        jmp shinq
 
 shdone, lac palt
         jms wrap
@@ -450,6 +476,7 @@ shdone, lac palt
 shnone, lac (0
         jmp i shpass
 
+/ In: shfx shfy shfd.  Out: AC = dq, lbx lby.  Destroys: nothing else.
 shlast, 0               / q = the first vertex: AC its distance
         lac shfx
         dac lbx
@@ -459,13 +486,16 @@ shlast, 0               / q = the first vertex: AC its distance
         dac dq
         jmp i shlast
 
+/ In: lax lay lbx lby, dp and dq for a side of the box.
+/ Out: lax lay = lbx lby, dp = dq, the polygon being made.
+/ Destroys: crx cry mdm mdd; for a sloped edge also spx spy acch accl smb.
 shcros, 0               / append the crossing of p-q; q becomes p
-        lac shd1
+        lac sdload
         sad (jms shslop
-        jmp shcr1
+        jmp shcslp
         jms ratio1
         skp
-shcr1,  jms both2
+shcslp, jms both2
         jms cross
         jms append
         lac lbx
@@ -476,17 +506,21 @@ shcr1,  jms both2
         dac dp
         jmp i shcros
 
+/ In: lbx lby, the edge by getedg.
+/ Out: AC; returns after sdneg and sdadd.
+/ Destroys: spx spy acch accl smb.
 shslop, 0               / the side of the sloped edge
         lac lbx
         dac spx
         lac lby
         dac spy
         jms side2
-        isz shslop      / past shd2 and shd3
+        isz shslop      / past sdneg and sdadd
         isz shslop
         jmp i shslop
 
 / Reverse the order of the polygon's vertices.
+/ In: the polygon.  Out: the polygon, reversed.  Destroys: 16 cnt t1.
 turn,   0
         lac pn
         rcl
@@ -499,7 +533,7 @@ turn,   0
         cma
         tad (1
         dac cnt
-turn1,  lac i t1
+trnext, lac i t1
         dac i 16
         isz t1
         lac i t1
@@ -508,10 +542,11 @@ turn1,  lac i t1
         tad (777775
         dac t1
         isz cnt
-        jmp turn1
+        jmp trnext
         jms swap
         jmp i turn
 
+/ In: pcur, palt.  Out: pcur, palt.  Destroys: t1.
 swap,   0
         lac pcur
         dac t1
@@ -522,6 +557,7 @@ swap,   0
         jmp i swap
 
 / AC = 0 if the polygon has no area.
+/ In: the polygon.  Out: AC.  Destroys: 12 cnt acch accl smb nfx nfy fvx fvy.
 area2,  0
         dzm acch        / fan of triangles from the first vertex
         dzm accl
@@ -541,7 +577,7 @@ area2,  0
         tad (1
         dac cnt
         jms fanvtx
-area2d, lac fvx
+arnext, lac fvx
         dac fux
         lac fvy
         dac fuy
@@ -557,17 +593,18 @@ area2d, lac fvx
         tad (1
         jms addprd
         isz cnt
-        jmp area2d
+        jmp arnext
         lac acch
         spa
-        jmp area2e
+        jmp arneg
         sza
         jmp i area2
         lac accl
         jmp i area2
-area2e, lac (0
+arneg,  lac (0
         jmp i area2
 
+/ In: 12, nfx nfy.  Out: 12, fvx fvy.  Destroys: nothing else.
 fanvtx, 0               / next vertex, less the first
         lac i 12
         tad nfx

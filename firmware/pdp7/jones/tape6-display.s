@@ -2,13 +2,14 @@
 
 / Begin the file that is not shown: parameter word (pen off, scale 0,
 / intensity 7) and stop.
+/ In: file.  Out: dfs 14 stopad room lastpx.  Destroys: nothing else.
 newfil, 0
         lac file
         sad (filea
-        jmp newfi1
+        jmp nfileb
         lac (filea
         skp
-newfi1, lac (fileb
+nfileb, lac (fileb
         dac dfs
         tad (777777
         dac 14
@@ -25,6 +26,10 @@ newfi1, lac (fileb
         jmp i newfil
 
 / Add the line A-B to the file.
+/ In: lax lay lbx lby, cx2, mode, the file.
+/ Out: 14 room stopad lastpx lastpy; lax lay lbx lby are kept.
+/ Destroys: t1 t3 t4 t5 mdm mdd pdx pdy pxsign pysign pk pwords firstw vsign vwx
+/   vwy; file if lines are shown at once.
 piece,  0
         lac lax
         tad cx2
@@ -105,29 +110,29 @@ piece,  0
         tad (1
         tad pdx
         spa
-        jmp piec1
+        jmp pcylen
         lac pdx
         skp
-piec1,  lac pdy
+pcylen, lac pdy
         dzm pk
-piec2,  isz pk
+pcwrds, isz pk
         tad (777601     / -127
         sma sza
-        jmp piec2
+        jmp pcwrds
         lac pk
         dac pwords
         lac mode
         and (2
         sza
-        jmp piec3
+        jmp pcpnt
         lac pax
         sad lastpx
         skp
-        jmp piec3
+        jmp pcpnt
         lac pay
         sad lastpy
         jmp joined
-piec3,  lac pk
+pcpnt,  lac pk
         tad (3
         dac pwords
         jms roomy
@@ -140,7 +145,7 @@ piec3,  lac pk
         xor (102000     / x, lit, next mode vector
         dac i 14
         jms vwords
-        jmp piec5
+        jmp pcstop
 joined, jms roomy
         lac 14
         tad (777777
@@ -150,7 +155,7 @@ joined, jms roomy
         dac i t1
         dzm firstw
         jms vwords
-piec5,  lac (3000       / the new stop first,
+pcstop, lac (3000       / the new stop first,
         dac i 14
         lac firstw
         dac i stopad    / the old one last
@@ -170,6 +175,9 @@ piec5,  lac (3000       / the new stop first,
         jms show        / lines added at once: show the first
         jmp i piece
 
+/ In: pwords, room.
+/ Out: room.
+/ Destroys: nothing else; leaves by flt2 if the file is full.
 roomy,  0
         lac pwords
         cma
@@ -180,6 +188,7 @@ roomy,  0
         dac room
 drawn,  jmp i roomy
 
+/ In: AC.  Out: AC, t3.  Destroys: t4.
 signmg, 0               / AC = |AC|, t3 = 200 if it was negative
         dzm t3
         sma
@@ -194,6 +203,9 @@ signmg, 0               / AC = |AC|, t3 = 200 if it was negative
 
 / pk vector words; the last one escapes.  If firstw is 0 the first of them
 / goes there.
+/ In: pdx pdy pxsign pysign pk firstw 14.
+/ Out: 14, firstw.
+/ Destroys: t5 mdm mdd vsign vwx vwy.
 vwords, 0
         lac pxsign
         xor pysign
@@ -206,7 +218,7 @@ vwords, 0
         sad (1
         jmp vwlast
         dac mdd
-vword1, isz pi
+vwnext, isz pi
         lac pi
         sad pk
         jmp vwlast
@@ -232,7 +244,7 @@ vword1, isz pi
         lac t5
         dac psy
         jms vput
-        jmp vword1
+        jmp vwnext
 vwlast, lac psx
         cma
         tad (1
@@ -249,6 +261,7 @@ vwlast, lac psx
         jms vput
         jmp i vwords
 
+/ In: vwx vwy vsign firstw 14.  Out: 14 or firstw.  Destroys: t5.
 vput,   0
         lac vwy
         rtl
@@ -261,11 +274,11 @@ vput,   0
         dac t5
         lac firstw
         sza
-        jmp vput1
+        jmp vpfile
         lac t5
         dac firstw
         jmp i vput
-vput1,  lac t5
+vpfile, lac t5
         dac i 14
         jmp i vput
 

@@ -3,6 +3,9 @@
         IFNZRO EAE <
 / AC = (AC*b + c/2)/c, b in mdm, c in mdd; all positive, c below 2^17.  Half of
 / c is left out where quotients are cut off, here and below.
+/ In: AC, mdm, mdd.
+/ Out: AC; mdm and mdd are kept.
+/ Destroys: nothing else; leaves by flt3 if the quotient is too large.
 muldiv, 0
         sna
         jmp i muldiv
@@ -51,7 +54,7 @@ muldiv, 0
         tad (1
         dac mdnc
         lac mds
-        jms muldv1
+        jms mdloop
         jmp i muldiv
 muldb,  lac mdm
         jmp i muldiv
@@ -59,19 +62,20 @@ mulda,  lac mds
         jmp i muldiv
 
 / The loop: AC = a, not 0; b in mdm, less than c; -c in mdnc.
-muldv1, 0
+/ In: AC, mdm, mdnc.  Out: AC.  Destroys: nothing else.
+mdloop, 0
         stl             / a one behind the last bit ends the loop
         ral
         dac mds
         dzm mdq
-muld1,  rcl             / bring the first bit of a to the left end,
+mdfrst, rcl             / bring the first bit of a to the left end,
         snl
-        jmp muld1
+        jmp mdfrst
         dac mds         / and past it: q = 0, r = b
         lac mdm
         dac mdr
-        jmp muld5
-muld2,  lac mdr         / r = 2r, q = 2q, less c if it goes
+        jmp mdtest
+mdstep, lac mdr         / r = 2r, q = 2q, less c if it goes
         rcl
         dac mdr
         tad mdnc
@@ -82,22 +86,22 @@ muld2,  lac mdr         / r = 2r, q = 2q, less c if it goes
         dac mdq
         lac mds
         sma
-        jmp muld4
+        jmp mdnext
         lac mdr         / a bit: r = r+b
         tad mdm
         dac mdr
         tad mdnc
         snl
-        jmp muld4
+        jmp mdnext
         dac mdr
         isz mdq
-muld4,  lac mds
+mdnext, lac mds
         rcl
         dac mds
-muld5,  lac mds
+mdtest, lac mds
         sad (400000
         skp
-        jmp muld2
+        jmp mdstep
         IFZERO TRUNCATE <
         lac mdr         / rounding: one more doubling
         rcl
@@ -109,11 +113,12 @@ muld5,  lac mds
         IFNZRO TRUNCATE <
         lac mdq
         >
-        jmp i muldv1
+        jmp i mdloop
 
 / mpyh,mpyl = AC * mpyb * 2^(8-FRACTION), both below 1024 points: one step for
 / each bit, the multiplier leaving the low word to the right as the product
 / enters it from the left.
+/ In: AC, mpyb.  Out: mpyh mpyl.  Destroys: nothing else.
 mpy,    0
         dac mpya
         dzm mpyh
@@ -122,7 +127,7 @@ mpy,    0
         lac mpyb
         rcr
         dac mpyl
-mpy1,   lac mpyh
+mpystp, lac mpyh
         szl cll
         tad mpya
         rar
@@ -131,7 +136,7 @@ mpy1,   lac mpyh
         rar
         dac mpyl
         isz mpyn
-        jmp mpy1
+        jmp mpystp
         jmp i mpy
 mpya,   0
 mpyn,   0

@@ -11,6 +11,10 @@
 / A view begins: find the cell of the eye if none is known, then take the steps
 / along x, y and z, one after the other.  scene is the cell, scene+5.. the box
 / in which the eye may be there.
+/ In: ex ey ez step, scene tape; scene 0 if the cell is not known.
+/ Out: ex ey ez, scene and scene+5.., stops.
+/ Destroys: 10-13 15 16, nex ney nez cell lp elem org ext and what plane and
+/   extent destroy; leaves by fault on a bad element or without a cell.
 travel, 0
         dzm stops
         lac scene
@@ -27,7 +31,7 @@ travel, 0
         lac (ext
         dac wkext
         lac (1
-trave1, dac wkbit
+travax, dac wkbit
         lac i wkstep
         sza
         jms leg
@@ -39,23 +43,26 @@ trave1, dac wkbit
         rcl
         sad (10
         skp
-        jmp trave1
+        jmp travax
         lac cell
         dac scene
         jmp i travel
 
 / One leg, along one axis: AC = its steps.  It goes through each opening whose
 / plane it reaches; where there is none the next wall ends it.
+/ In: AC, cell, the eye with nex.., wkeye wkstep wkext wkbit.
+/ Out: the eye, cell, stops.
+/ Destroys: as travel.
 leg,    0
         tad i wkeye
         dac target
         dzm passed
-leg1,   jms list
-leg2,   isz lp
+legcel, jms list
+legopn, isz lp
         lac i lp
         and (17777
         sna
-        jmp leg6        / the cell has no openings
+        jmp legend        / the cell has no openings
         dac elem
         tad (1
         dac org
@@ -70,48 +77,48 @@ leg2,   isz lp
         dac t1
         tad passed
         sna
-        jmp leg5
+        jmp legnot
         xor i wkstep
         sma
-        jmp leg5
+        jmp legnot
         lac t1          / and reached?
         tad i wkstep
         sna
-        jmp leg3
+        jmp leghit
         xor i wkstep
         spa
-        jmp leg5
-leg3,   lac (ext-1      / along the other axes the eye must be between its sides;
+        jmp legnot
+leghit, lac (ext-1      / the eye must be between its other sides;
         dac 15          / on a line between two openings it is in the high one
         lac (-3+1
         dac cnt
-leg4,   lac 15
+legaxi, lac 15
         tad (1
         sad wkext
-        jmp leg4b
+        jmp legown
         lac i 15
         tad (777777
         sma
-        jmp leg5
+        jmp legnot
         lac i 15
         tad (777777
         spa
-        jmp leg5
-leg4a,  isz cnt
-        jmp leg4
+        jmp legnot
+legnxt, isz cnt
+        jmp legaxi
         lac i wkext     / through it
         dac passed
         lac i elem
         and (17777
         dac cell
-        jmp leg1
-leg4b,  tad (1          / the leg's own axis
+        jmp legcel
+legown, tad (1          / the leg's own axis
         dac 15
-        jmp leg4a
-leg5,   lac i lp        / not this one
+        jmp legnxt
+legnot, lac i lp        / not this one
         sma
-        jmp leg2
-leg6,   lac target
+        jmp legopn
+legend, lac target
         dac i wkeye
         lac (ex-1
         jms keepin
@@ -130,34 +137,40 @@ leg6,   lac target
         jmp i leg
 
 / AC = the cell in which the eye is: that with the eye between its planes.
+/ In: ex ey ez, scene tape.
+/ Out: AC, cell, scene+5..; leaves by fault without a cell.
+/ Destroys: 10-13 15 16, nex.. ext lp t1 wkbit and what keepin destroys.
 locate, 0
         lac scene+1
         cma
         tad (1
         sna
-        jmp locat3
+        jmp locnon
         dac wkbit
         lac (c0
-locat1, dac cell
+loccel, dac cell
         lac (ext-1
         jms keepin
         sna
-        jmp locat4
+        jmp locfnd
         jms list        / the next cell begins behind its list
-locat2, isz lp
+loclst, isz lp
         lac i lp
         sma
-        jmp locat2
+        jmp loclst
         lac lp
         tad (4
         isz wkbit
-        jmp locat1
-locat3, lac (7          / in a solid, on a plane or outside
+        jmp loccel
+locnon, lac (7          / in a solid, on a plane or outside
         jmp fault
-locat4, lac cell
+locfnd, lac cell
         jmp i locate
 
 / lp = the word before the list of the cell's openings.
+/ In: cell.
+/ Out: lp.
+/ Destroys: t1.
 list,   0
         lac cell
         tad (3
@@ -169,6 +182,10 @@ list,   0
 
 / Move the eye inside the cell: it goes where AC points before, minus it to nex;
 / scene+5.. = the box, each plane less 1.  AC = 0 if the eye was inside.
+/ In: AC, cell, ex ey ez.
+/ Out: AC, the three words behind AC, nex ney nez, scene+5..
+/ Destroys: 10-13 15 16, cnt t1 limlo limhi limt wkout; leaves by fault if the
+/   planes have no point between them.
 keepin, 0
         dac 16
         dzm wkout
@@ -185,7 +202,7 @@ keepin, 0
         dac 10
         lac (-3+1
         dac cnt
-keepi1, lac i 15        / two planes: which is the low one?
+keepax, lac i 15        / two planes: which is the low one?
         dac limlo
         lac i 11
         dac limhi
@@ -193,14 +210,14 @@ keepi1, lac i 15        / two planes: which is the low one?
         tad (1
         tad limlo
         spa
-        jmp keepi2
+        jmp keepok
         lac limhi
         dac t1
         lac limlo
         dac limhi
         lac t1
         dac limlo
-keepi2, lac limlo
+keepok, lac limlo
         tad (1
         dac limlo
         dac i 10
@@ -223,7 +240,7 @@ keepi2, lac limlo
         tad (1
         dac i 13
         isz cnt
-        jmp keepi1
+        jmp keepax
         lac wkout
         jmp i keepin
 

@@ -9,6 +9,10 @@
 / (20000- with 32K); the display files are where the model's tape says.
 / Auto-index registers: 10 tape, slots, code being made  11 two words of a place,
 / forms  12 places, junctions  13 changes of an event  14 display file.
+/
+/ Before each routine: what it takes (In), what it returns (Out), and what else
+/ it writes (Destroys).  Not listed are AC, link and MQ, which every routine
+/ destroys, and words that only the routine itself uses.
 
 EXTEND=0
         IFZERO EXTEND <
@@ -35,19 +39,19 @@ start,  caf
         jms rdword
         dac count
         spa sna
-        jmp bad3
+        jmp badtap
         cma
         tad (1
         dac n
         tad (most
         spa
-        jmp bad3
+        jmp badtap
         lac (model-1
         dac 10
-read1,  jms rdword
+rdnext, jms rdword
         dac i 10
         isz n
-        jmp read1
+        jmp rdnext
         jms rdword
         dac chksum
 
@@ -60,23 +64,23 @@ begin,  iof
         dac 10
         lac count
         spa sna
-        jmp bad3
+        jmp badtap
         cma
         tad (1
         dac n
         lac count
         tad chksum
-sum1,   tad i 10
+sumnxt, tad i 10
         isz n
-        jmp sum1
+        jmp sumnxt
         sza
-        jmp bad1
+        jmp badsum
         lac (model
         dac slotp
         lac i slotp
         sad (kind
         skp
-        jmp bad3
+        jmp badtap
         dzm status
         dzm runing
         dzm frames
@@ -91,10 +95,10 @@ sum1,   tad i 10
         cma
         tad (1
         dac n
-copy1,  lac i 10
+cpynxt, lac i 10
         dac i 11
         isz n
-        jmp copy1
+        jmp cpynxt
         lac stangl
         dac angle
         dac at
@@ -106,13 +110,14 @@ copy1,  lac i 10
         dac sw
         jmp pictur      / the first picture, at the model's angle
 
-bad1,   lac (1          / the sum is wrong
+badsum, lac (1          / the sum is wrong
         skp
-bad3,   lac (3          / not a tape for this machine
+badtap, lac (3          / not a tape for this machine
         dac status
         hlt
         jmp .-1
 
+/ Out: AC.  Destroys: nothing else.
 rdword, 0               / one binary word from the reader
         rsb
         rsf
@@ -154,11 +159,11 @@ pictur, lac sw          / the picture's time begins here
         lac sadwho
         dac wirsw
         lac nslots
-        jmp pict1
+        jmp pictgo
 wire,   lac jmpfas      / every edge whole: the same loop without its question
         dac wirsw
         lac nedges
-pict1,  dac slotn
+pictgo, dac slotn
         dzm status      / of this picture
         jms newfil
         jms sines
@@ -172,11 +177,11 @@ pict1,  dac slotn
 single, lac oldsw
         and (100000
         sza
-        jmp singl2
+        jmp singhd
         jms turn
         lac sw
         spa
-        jmp singl1
+        jmp singbk
         lac ep
         sad evend
         lac evbeg
@@ -184,17 +189,20 @@ single, lac oldsw
         lac i slotp
         dac angle
         jmp pictur
-singl1, jms prevev
+singbk, jms prevev
         lac i bp
         tad (777777
         dac angle
         jmp pictur
-singl2, lac sw
+singhd, lac sw
         dac oldsw
         jmp frame
 
 / Bring the structure from the angle `at` to `angle` over the events between, the
 / shorter way.
+/ In: at, angle, ep.
+/ Out: at = angle, ep, the slots.
+/ Destroys: 13 bp bpep slotp.
 turn,   0
         lac at
         cma
@@ -205,7 +213,7 @@ turn,   0
         spa
         jmp back
         dac rem
-forw1,  lac ep
+forwev, lac ep
         sad evend
         lac evbeg
         dac ep
@@ -227,11 +235,11 @@ forw1,  lac ep
         lac 13
         tad (1
         dac ep
-        jmp forw1
+        jmp forwev
 back,   cma
         tad (1
         dac rem
-back1,  jms prevev
+backev, jms prevev
         lac i bp
         cma
         tad (1
@@ -250,11 +258,12 @@ back1,  jms prevev
         dac ep
         dac 13
         jms change
-        jmp back1
+        jmp backev
 turned, lac angle
         dac at
         jmp i turn
 
+/ In: ep, bpep.  Out: bp, bpep.  Destroys: nothing else.
 prevev, 0               / bp = the angle of the event before ep
         lac ep
         sad bpep        / looked for before
@@ -263,13 +272,13 @@ prevev, 0               / bp = the angle of the event before ep
         sad evbeg
         lac evend
         dac bp
-prev1,  lac bp
+prevlk, lac bp
         tad (777777
         dac bp
         lac i bp
         and (2
         sna
-        jmp prev1
+        jmp prevlk
         lac bp
         tad (777777
         dac bp
@@ -277,8 +286,11 @@ prev1,  lac bp
 
 / The changes of one event, behind 13.  Each is an exclusive or, so that the same
 / words lead forwards and backwards.
+/ In: 13 before the first change.
+/ Out: 13 at the last change, the slots.
+/ Destroys: slotp.
 change, 0
-chang1, lac i 13
+chnext, lac i 13
         dac word
         and (3774
         tad slots
@@ -286,24 +298,25 @@ chang1, lac i 13
         lac word
         and (4000
         sza
-        jmp chang2
+        jmp chsecd
         lac word
         and (770000
-        jmp chang3
-chang2, lac word        / the second end: six places to the right
+        jmp chxor
+chsecd, lac word        / the second end: six places to the right
         rtr
         rtr
         rtr
         and (7700
-chang3, xor i slotp
+chxor,  xor i slotp
         dac i slotp
         lac word
         rar
         snl
-        jmp chang1
+        jmp chnext
         jmp i change
 
 / Display files: 2 or 3, one after the other.
+/ In: nfiles, files.  Out: dfs 14 room; lastv is 0.  Destroys: slotp.
 newfil, 0
         lac nfiles
         sad (2          / of two, the other one may still be shown
@@ -328,12 +341,14 @@ newfil, 0
         dzm lastv
         jmp i newfil
 
+/ In: 14.  Out: 14.  Destroys: nothing else.
 endfil, 0
         jms escape
         lac (3000       / stop, interrupt
         dac i 14
         jmp i endfil
 
+/ In: 14.  Out: 14 is kept.  Destroys: nothing else.
 escape, 0               / the last word written ends its vector, or is the first one
         lac 14
         dac lastp
@@ -342,6 +357,9 @@ escape, 0               / the last word written ends its vector, or is the first
         dac i lastp
         jmp i escape
 
+/ In: dfs.
+/ Out: file = dfs, frames, and the display runs.
+/ Destroys: nothing else.
 publsh, 0
         lac nfiles
         sad (3          / of three, one may still wait to be shown
@@ -359,16 +377,17 @@ publsh, 0
         idla
         jmp i publsh
 
+/ In: file, shown.  Destroys: nothing else.
 wait,   0               / until the display has taken up the last file
-wait1,  lac shown
+waitlp, lac shown
         sad file
 waited, jmp i wait
-        jmp wait1
+        jmp waitlp
 
 / The display stopped, or something unwanted.
 intr,   dac intac
         idsi
-        jmp intr2
+        jmp iother
         lac file
         dac shown
         idla
@@ -380,7 +399,7 @@ intrx,  lac 0
         >
         ion
         jmp i 0
-intr2,  idcf
+iother, idcf
         krb
         tcf
         pcf

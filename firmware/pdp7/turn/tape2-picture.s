@@ -6,6 +6,9 @@
 / (both less 1), forms of its junctions (less 9).
 
 / The X of every vertex.
+/ In: the multipliers by sines, nverts, forms, placs.
+/ Out: the X of every place.
+/ Destroys: 11 12 n t1 mx.
 places, 0
         lac forms
         dac 11
@@ -14,21 +17,21 @@ places, 0
         lac nverts
         dac n
         IFNZRO EAE <
-plac1,  lac i 11
+plnext, lac i 11
         xor maska
         mull
-mula1,  0
+mulap,  0
         dac t1
         lac i 11
         xor maskb
         mull
-mulb1,  0
+mulbp,  0
         tad t1
         tad kplace
         lrss 7
         >
         IFZERO EAE <
-plac1,  lac i 11
+plnext, lac i 11
         xor maska
         dac mx
         jms mula
@@ -48,10 +51,14 @@ plac1,  lac i 11
         isz 12
         dac i 12
         isz n
-        jmp plac1
+        jmp plnext
         jmp i places
 
 / All slots, or with a wire frame the first of every edge.
+/ In: slots, slotn, wirsw, 14, room.
+/ Out: 14; status = 2 if the file is full.
+/ Destroys: 10 11 12 n lastv state vp vq jbase codea codeb sa sb, what first,
+/   vector, span, junct and locate write.
 pieces, 0
         lac slots
         tad (777777
@@ -76,10 +83,10 @@ fast,   lac 14
         jmp full
         lac i 10
         sad lastv       / the line goes on where the last one ended
-        jmp fast1
+        jmp fastto
         dac 11
         jms first
-fast1,  lac i 10
+fastto, lac i 10
         dac lastv
         dac 11
         isz 10
@@ -93,6 +100,7 @@ full,   lac (2          / the picture ends here
         jmp i pieces
 
 / Lines begin again at the place behind 11.
+/ In: 11, 14.  Out: 11 at the X, 14, ncx ncy.  Destroys: nothing else.
 first,  0
         jms escape
         lac (20000      / next mode point
@@ -109,19 +117,23 @@ first,  0
         jmp i first
 
 / To the place behind 11.  Differences are one's complement; 0 is -0.
+/ In: 11, 14, ncx ncy.
+/ Out: 11 at the X, 14, ncx ncy.
+/ Destroys: x y adx ady sign; major minor nmajor chunk unit error share quot if
+/   the line is long; without the EAE then also mr nd t2.
 vector, 0
         lac i 11
         dac y
         add ncy
         spa
-        jmp vect1
+        jmp vdown
         dac ady
         lac (200000     / lit
-        jmp vect2
-vect1,  cma
+        jmp vectx
+vdown,  cma
         dac ady
         lac (300000     / lit, down
-vect2,  dac sign
+vectx,  dac sign
         lac y
         cma
         dac ncy
@@ -129,15 +141,15 @@ vect2,  dac sign
         dac x
         add ncx
         spa
-        jmp vect3
+        jmp vleft
         dac adx
-        jmp vect4
-vect3,  cma
+        jmp vfits
+vleft,  cma
         dac adx
         lac sign
         xor (200        / left
         dac sign
-vect4,  lac x
+vfits,  lac x
         cma
         dac ncx
         lac adx
@@ -180,7 +192,7 @@ long,   lac ady
         lac (177
         dac chunk
         lac (400
-        jmp long1
+        jmp lngset
 longy,  lac ady
         dac major
         lac adx
@@ -188,7 +200,7 @@ longy,  lac ady
         lac (77400
         dac chunk
         lac (1
-long1,  dac unit
+lngset, dac unit
         lac major
         IFNZRO EAE <
         dac divm
@@ -215,7 +227,7 @@ divm,   0
         >
         lac unit        / the word of a chunk: chunk, sign, quot times unit
         sad (1
-        jmp long2
+        jmp lngqx
         lac quot
         IFNZRO EAE <
         alss 10
@@ -227,12 +239,12 @@ divm,   0
         rtl
         ral
         >
-        jmp long3
-long2,  lac quot
-long3,  xor chunk
+        jmp lngwrd
+lngqx,  lac quot
+lngwrd, xor chunk
         xor sign
         dac chunk
-long4,  lac quot
+lngnxt, lac quot
         cma
         tad (1
         tad minor
@@ -240,7 +252,7 @@ long4,  lac quot
         lac error
         tad share
         spa
-        jmp long5
+        jmp lngkp
         tad nmajor
         dac error
         lac minor
@@ -248,27 +260,27 @@ long4,  lac quot
         dac minor
         lac chunk
         tad unit
-        jmp long6
-long5,  dac error
+        jmp lngput
+lngkp,  dac error
         lac chunk
-long6,  dac i 14
+lngput, dac i 14
         lac major
         tad (777601     / -127
         dac major
         tad (777600     / more than 127 left?
         sma
-        jmp long4
+        jmp lngnxt
         lac unit        / what is left
         sad (1
-        jmp long7
+        jmp lngrsy
         lac minor
         dac ady
         lac major
-        jmp long8
-long7,  lac major
+        jmp lngrst
+lngrsy, lac major
         dac ady
         lac minor
-long8,  dac adx
+lngrst, dac adx
         lac ady
         IFNZRO EAE <
         alss 10
@@ -309,12 +321,12 @@ partly, dac state
         and (770000
         dac codea
         sad (10000
-        jmp part1
+        jmp partb
         jms junct
         dac sa
-part1,  lac codeb
+partb,  lac codeb
         sad (10000
-        jmp part2
+        jmp partsp
         jms junct
         dac sb
         cma             / nothing left between the two?
@@ -322,34 +334,35 @@ part1,  lac codeb
         tad sa
         sma
         jmp next
-part2,  jms span
+partsp, jms span
         lac codea
         sad (10000
-        jmp part3
+        jmp partvp
         lac sa
         jms locate
         lac (tplace-1
-        jmp part4
-part3,  lac vp
+        jmp partfs
+partvp, lac vp
         sad lastv
-        jmp part5
-part4,  dac 11
+        jmp partto
+partfs, dac 11
         jms first
-part5,  lac codeb
+partto, lac codeb
         sad (10000
-        jmp part6
+        jmp partvq
         lac sb
         jms locate
         dzm lastv
         lac (tplace-1
-        jmp part7
-part6,  lac vq
+        jmp partln
+partvq, lac vq
         dac lastv
-part7,  dac 11
+partln, dac 11
         jms vector
         jmp next
 
 / The edge from vp to vq: its first place, and how far it goes.
+/ In: vp, vq.  Out: px py sx sy spanx spany.  Destroys: 11 t1 t2.
 span,   0
         lac vp
         dac 11
@@ -370,21 +383,21 @@ span,   0
         lac i 11
         tad t1
         sma
-        jmp span1
+        jmp spandy
         cma
         tad (1
         isz py          / -r is the complement of r, and 1
         isz sy
-span1,  dac spany
+spandy, dac spany
         lac i 11
         tad t2
         sma
-        jmp span2
+        jmp spandx
         cma
         tad (1
         isz px
         isz sx
-span2,  dac spanx
+spandx, dac spanx
         lac sx
         cma
         tad (1

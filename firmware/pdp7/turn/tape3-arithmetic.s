@@ -4,6 +4,9 @@ mull=673122             / MUL that clears the link first; AC is not negative
 mulac=640122            / MUL that keeps AC: it is added to the product
 
 / The angle's quadrant, the multipliers of forms, and the constants added to them.
+/ In: angle.
+/ Out: kform, kplace, maska, maskb, the multipliers.
+/ Destroys: 10 n t1 t2 mx; without the EAE also mpyb mr genret.
 sines,  0
         lac angle
         and (177777
@@ -32,24 +35,24 @@ sines,  0
         dac maskb       / B is taken negative in quadrants 2 and 3
         dac maska
         snl
-        jmp sines2
+        jmp sinacs
         xor (377777
         dac maska       / A in 1 and 2
         lac sinev       / in 1 and 3 the sine multiplies A
         dac t1
         lac cosv
-        jmp sines4
-sines2, lac cosv
+        jmp sinmul
+sinacs, lac cosv
         dac t1
         lac sinev
-sines4, IFNZRO EAE <
+sinmul, IFNZRO EAE <
         alss 4
-        dac mulb1
-        dac mulb2
+        dac mulbp
+        dac mulbf
         lac t1
         alss 4
-        dac mula1
-        dac mula2
+        dac mulap
+        dac mulaf
         >
         IFZERO EAE <
         dac t2
@@ -70,6 +73,7 @@ sines4, IFNZRO EAE <
 
 / AC = 2^14 sin(AC), AC from 0 to a quarter turn.  Between the table's words in a
 / straight line.
+/ In: AC.  Out: AC.  Destroys: mx; without the EAE also mpyb mr n.
 sine,   0
         dac sinea
         IFNZRO EAE <
@@ -120,6 +124,9 @@ sinem,  0
 
 / AC = where on the edge a junction is, in 4096ths, 0 to 4095.  AC = its number,
 / in bits 0-5: N over D, or 0 if N is not of D's sign.
+/ In: AC, jbase, the multipliers by sines.
+/ Out: AC.
+/ Destroys: 12 t1; without the EAE also mx mr nd quot.
 junct,  0
         rtl
         rtl
@@ -133,24 +140,24 @@ junct,  0
         dac jn
         jms form
         spa
-        jmp junc1
+        jmp jneg
         dac jd
         lac jn
-        jmp junc2
-junc1,  cma
+        jmp jdivid
+jneg,   cma
         dac jd
         lac jn
         cma
-junc2,  spa
+jdivid, spa
         cla
         IFNZRO EAE <
         670315          / FRDIV of 13 steps that clears the link first
 jd,     0
         szl
-        jmp junc3
+        jmp jend
         lacq
         jmp i junct
-junc3,  lac (7777       / N >= D
+jend,   lac (7777       / N >= D
         jmp i junct
         >
         IFZERO EAE <
@@ -161,11 +168,11 @@ junc3,  lac (7777       / N >= D
         dac nd
         tad mr
         sma
-        jmp junc3
+        jmp jend
         dzm quot
         lac (777764     / 12 bits
         dac t1
-junc4,  lac mr
+jbit,   lac mr
         rcl
         dac mr
         tad nd
@@ -175,9 +182,9 @@ junc4,  lac mr
         ral
         dac quot
         isz t1
-        jmp junc4
+        jmp jbit
         jmp i junct
-junc3,  lac (7777
+jend,   lac (7777
         jmp i junct
 jd,     0
 mr,     0
@@ -185,12 +192,15 @@ nd,     0
         >
 
 / AC = the form behind 12.
+/ In: 12, the multipliers by sines.
+/ Out: AC, 12.
+/ Destroys: t1; without the EAE also mx.
 form,   0
         lac i 12
         xor maska
         IFNZRO EAE <
         mull
-mula2,  0
+mulaf,  0
         >
         IFZERO EAE <
         dac mx
@@ -201,7 +211,7 @@ mula2,  0
         xor maskb
         IFNZRO EAE <
         mull
-mulb2,  0
+mulbf,  0
         >
         IFZERO EAE <
         dac mx
@@ -212,18 +222,21 @@ mulb2,  0
         jmp i form
 
 / tplace = the place on the edge at AC, in 4096ths and a half.
+/ In: AC, px py sx sy spanx spany.
+/ Out: tplace.
+/ Destroys: without the EAE mpyb mr nd t2.
 locate, 0
         IFNZRO EAE <
         alss 6
         tad (40
-        dac loc1
-        dac loc2
+        dac locmy
+        dac locmx
         lac spany
         lmq
         lac (400000     / half, to round
         cll
         mulac
-loc1,   0
+locmy,  0
         xor sy
         tad py
         dac tplace
@@ -232,7 +245,7 @@ loc1,   0
         lac (400000
         cll
         mulac
-loc2,   0
+locmx,  0
         >
         IFZERO EAE <
         stl
@@ -243,11 +256,11 @@ loc2,   0
         lac (10000      / half of 2^13, to round
         dac mr
         dac nd
-loc1,   lac mpyb
+locbit, lac mpyb
         rcr
         dac mpyb
         snl
-        jmp loc2
+        jmp loczer
         lac mr
         tad spany
         rcr
@@ -257,17 +270,17 @@ loc1,   lac mpyb
         rcr
         dac nd
         isz t2
-        jmp loc1
-        jmp loc3
-loc2,   lac mr
+        jmp locbit
+        jmp locdon
+loczer, lac mr
         rcr
         dac mr
         lac nd
         rcr
         dac nd
         isz t2
-        jmp loc1
-loc3,   lac mr
+        jmp locbit
+locdon, lac mr
         xor sy
         tad py
         dac tplace
@@ -280,9 +293,10 @@ loc3,   lac mr
 
         IFZERO EAE <
 / AC = (AC + mx*mpyb) >> bits, -bits in n: one step for each bit of mpyb.
+/ In: AC, mx, mpyb, n.  Out: AC.  Destroys: mpyb mr n.
 mpy,    0
         dac mr
-mpy1,   lac mpyb
+mpystp, lac mpyb
         rcr
         dac mpyb
         lac mr
@@ -291,13 +305,14 @@ mpy1,   lac mpyb
         rcr
         dac mr
         isz n
-        jmp mpy1
+        jmp mpystp
         jmp i mpy
 mpyb,   0
 
 / quot, share = quotient and remainder of 127 AC by major, AC not above it, both
 / below 1024: seven steps; the quotient enters the word from the right as zeros
 / leave room.
+/ In: AC, nmajor.  Out: quot, share.  Destroys: mr nd t2.
 divid,  0
         dac t2
         rcl
@@ -321,15 +336,15 @@ divid,  0
         dac nd          / 1 - 128 major
         lac (777771
         dac t2
-divi1,  lac mr
+divstp, lac mr
         rcl
         dac mr
         tad nd
         spa
-        jmp divi2
+        jmp divnxt
         dac mr
-divi2,  isz t2
-        jmp divi1
+divnxt, isz t2
+        jmp divstp
         lac mr
         and (177
         dac quot
@@ -344,32 +359,33 @@ divi2,  isz t2
 
 / Makes the multiplication by AC behind 10: mx times AC over 2^14, cut off.  A bit
 / that is set adds mx, every bit shifts; nothing is done before the first one set.
+/ In: AC, 10, genret.  Out: 10 at the routine's last word.  Destroys: mpyb n.
 gen,    0
         dac mpyb
         lac (777762     / 14 bits
         dac n
         lac clear
         dac i 10
-gen1,   lac mpyb
+genzer, lac mpyb
         rcr
         dac mpyb
         szl
-        jmp gen3
+        jmp genadd
         isz n
-        jmp gen1
-        jmp gen5
-gen2,   lac mpyb
+        jmp genzer
+        jmp genend
+genbit, lac mpyb
         rcr
         dac mpyb
         snl
-        jmp gen4
-gen3,   lac addmx
+        jmp genshf
+genadd, lac addmx
         dac i 10
-gen4,   lac shift
+genshf, lac shift
         dac i 10
         isz n
-        jmp gen2
-gen5,   lac genret
+        jmp genbit
+genend, lac genret
         dac i 10
         jmp i gen
 clear,  cla

@@ -10,11 +10,11 @@ namespace {
 
 using scene::VertexIndex;
 
-// Appends the corners of one ring. Their sides are set later, when all edges are numbered.
+// Appends the corners of one ring.
 void append_ring(std::span<const VertexIndex> ring, EdgeMesh& mesh) {
   const std::size_t first = mesh.corners.size();
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    if (ring[i] != ring[i + 1 == ring.size() ? 0 : i + 1]) mesh.corners.push_back({ring[i] & 0x7fffffffU, 0, 0});
+    if (ring[i] != ring[i + 1 == ring.size() ? 0 : i + 1]) mesh.corners.push_back({ring[i] & 0x7fffffffU, 0});
   }
   if (mesh.corners.size() > first) mesh.corners.back().last_of_ring = 1;
 }
@@ -33,19 +33,16 @@ Vector area_of(const EdgeMesh& mesh, const Corner* corners, std::uint32_t count)
           static_cast<std::int64_t>(sum[2])};
 }
 
-// Returns false and leaves the face out if it has no area.
-bool append_face(const scene::PolyFace& given, bool sheet, EdgeMesh& mesh) {
+void append_face(const scene::PolyFace& given, bool sheet, EdgeMesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.corners.size());
   append_ring(given.outline, mesh);
   for (const auto& hole : given.holes) append_ring(hole, mesh);
   const auto count = static_cast<std::uint32_t>(mesh.corners.size() - first);
-  if (count == 0) return false;
   MeshFace& face = mesh.faces.emplace_back();
   face.normal = PackedNormal(area_of(mesh, mesh.corners.data() + first, count));
   face.first_corner = first;
   face.corner_count = count & 0x7fffffffU;
   face.sheet = sheet ? 1 : 0;
-  return true;
 }
 
 // Calls visit(corner, edge) for every side of every face.
@@ -81,8 +78,7 @@ void sort_by_end(Side* begin, Side* end) {
   }
 }
 
-// Collects sides and wires, sorted by the lower vertex (counting sort), then by the higher. Reserves space for the
-// crossings.
+// Collects sides and wires, sorted by the lower vertex (counting sort), then by the higher; then crossings.
 void number_edges(EdgeMesh& mesh, const scene::PolyScene& scene) {
   constexpr std::uint32_t no_corner = ~0U;
   const auto for_wires = [&scene](auto visit) {
@@ -100,15 +96,17 @@ void number_edges(EdgeMesh& mesh, const scene::PolyScene& scene) {
   for_all_sides(mesh, add);
   for_wires(add);
   mesh.edges.reserve(sides.size() / 2 + scene.wires.size() + scene.crossings.size());
+  mesh.sides.resize(mesh.corners.size());
   for (VertexIndex v = 0; v + 1 < start.size(); ++v) {
     sort_by_end(sides.data() + start[v], sides.data() + start[v + 1]);
     for (std::uint32_t i = start[v]; i < start[v + 1]; ++i) {
       if (i == start[v] || sides[i].to != sides[i - 1].to) mesh.edges.push_back({v, sides[i].to});
       const auto edge = static_cast<std::uint32_t>(mesh.edges.size() - 1);
-      if (sides[i].corner != no_corner) mesh.corners[sides[i].corner].side = edge;
+      if (sides[i].corner != no_corner) mesh.sides[sides[i].corner] = edge;
       else mesh.wires.push_back(edge);
     }
   }
+  for (const scene::PolyCrossing& crossing : scene.crossings) mesh.edges.push_back({crossing.from, crossing.to});
 }
 
 LineEnd end_of(const scene::PolyScene& scene, const scene::CutPoint& cut) {
@@ -126,7 +124,6 @@ void append_lines(const scene::PolyScene& scene, EdgeMesh& mesh) {
   };
   mesh.lines.reserve(scene.crossings.size());
   for (const scene::PolyCrossing& crossing : scene.crossings) {
-    mesh.edges.push_back({crossing.from, crossing.to});
     const bool on_one = crossing.face_a == crossing.face_b;
     mesh.lines.push_back({{plane_of(crossing.face_a), on_one ? scene.cut_planes[crossing.plane] : plane_of(crossing.face_b)},
                           {end_of(scene, crossing.ends[0]), end_of(scene, crossing.ends[1])}});
@@ -135,9 +132,10 @@ void append_lines(const scene::PolyScene& scene, EdgeMesh& mesh) {
 
 }  // namespace
 
-EdgeMesh make_edge_mesh(const scene::PolyScene& scene) {
+EdgeMesh make_edge_mesh(const scene::PolyScene& scene, bool of_all_edges) {
   EdgeMesh mesh;
   mesh.vertices = scene.vertices;
+  mesh.surfaces = scene.surface_of;
   std::size_t faces = 0;
   std::size_t corners = 0;
   for (const scene::PolyBody& body : scene.bodies) {
@@ -149,16 +147,9 @@ EdgeMesh make_edge_mesh(const scene::PolyScene& scene) {
   }
   mesh.faces.reserve(faces);
   mesh.corners.reserve(corners);
-  if (!scene.surface_of.empty()) mesh.surfaces.reserve(faces);
-  std::size_t number = 0;
-  for (const scene::PolyBody& body : scene.bodies) {
-    for (const scene::PolyFace& face : body.faces) {
-      if (append_face(face, body.sheet, mesh) && !scene.surface_of.empty())
-        mesh.surfaces.push_back(scene.surface_of[number]);
-      ++number;
-    }
-  }
-  number_edges(mesh, scene);
+  for (const scene::PolyBody& body : scene.bodies)
+    for (const scene::PolyFace& face : body.faces) append_face(face, body.sheet, mesh);
+  if (of_all_edges) number_edges(mesh, scene);
   append_lines(scene, mesh);
   return mesh;
 }

@@ -1,5 +1,5 @@
-// The camera-independent data that exact drawing needs of a polyhedral scene: numbered edges, faces as runs of corners,
-// and precomputed planes.
+// The camera-independent data that exact drawing needs of a polyhedral scene: faces as runs of corners with precomputed
+// planes, and numbered edges.
 //
 // Sizes, with coordinates below 2^18: a face normal (twice the area, as a vector) has 39 bits, the value of a plane at a
 // point 60. Relative to an eye, an end of a crossing is a fraction of 80 over 61 bits; the value of a plane of sight at
@@ -20,11 +20,10 @@ namespace sightline::algorithms::exact {
 
 using Vector = geometry::Vector3;
 
-// A corner of a face, and the side from it to the next corner of its ring (from the last to the first).
+// A corner of a face. Its side leads to the next corner of its ring (from the last to the first).
 struct Corner {
   std::uint32_t vertex : 31;
   std::uint32_t last_of_ring : 1;
-  std::uint32_t side;  // index of an edge
 };
 
 // Three integers of 40 bits each.
@@ -68,17 +67,20 @@ struct MeshLine {
   std::array<LineEnd, 2> ends{};
 };
 
-// Corners and faces take most of the memory of a large scene: 8 and 24 bytes each.
+// Corners and faces take most of the memory of a large scene: 4 and 24 bytes each. All edges take 8 bytes each, and 4 each side.
 struct EdgeMesh {
-  std::span<const geometry::Point3> vertices;  // of the scene
-  std::vector<picture::LineEdge> edges;  // ascending, in the order of edges_of; then the scene's crossings
-  std::vector<MeshLine> lines;           // one for each crossing
-  std::vector<std::uint32_t> wires;      // numbers of edges
+  std::span<const geometry::Point3> vertices;  // of the scene; those of crossings are the last
+  std::vector<MeshLine> lines;                 // one for each crossing
   std::vector<Corner> corners;
   std::vector<MeshFace> faces;
-  std::vector<std::uint32_t> surfaces;  // of each face, as in PolyScene::surface_of; empty: 0 for all
+  std::span<const std::uint32_t> surfaces;  // of each face: PolyScene::surface_of; empty: 0 for all
+  // For views of all edges; empty for views of chosen ones.
+  std::vector<picture::LineEdge> edges;  // ascending, in the order of edges_of; then the scene's crossings
+  std::vector<std::uint32_t> sides;      // by corner: number of the edge of its side
+  std::vector<std::uint32_t> wires;      // numbers of edges
 
-  [[nodiscard]] std::size_t first_line() const { return edges.size() - lines.size(); }  // number of the first crossing's edge
+  // From this vertex on, each two are the ends of a crossing.
+  [[nodiscard]] std::size_t first_line_vertex() const { return vertices.size() - 2 * lines.size(); }
   [[nodiscard]] const Corner* corners_of(const MeshFace& face) const { return corners.data() + face.first_corner; }
   [[nodiscard]] std::uint32_t surface_of(std::uint32_t face) const { return surfaces.empty() ? 0 : surfaces[face]; }
 };
@@ -93,7 +95,8 @@ void for_sides(const Corner* corners, std::uint32_t count, Visit visit) {
   }
 }
 
-// Precondition: the scene is checked and outlives the mesh. Linear time, except for sorting the edges at each vertex.
-[[nodiscard]] EdgeMesh make_edge_mesh(const scene::PolyScene& scene);
+// Precondition: the scene is checked and outlives the mesh. Linear time, except for sorting the edges at each vertex, which is left out
+// if all views will be of chosen edges.
+[[nodiscard]] EdgeMesh make_edge_mesh(const scene::PolyScene& scene, bool of_all_edges = true);
 
 }  // namespace sightline::algorithms::exact

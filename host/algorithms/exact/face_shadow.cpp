@@ -71,7 +71,7 @@ constexpr HiddenInterval<Number> beyond(const Number& a, const Number& b) {
 }  // namespace
 
 bool EdgeSight::begin(std::uint32_t number) {
-  edge_ = view_.mesh->edges[number];
+  edge_ = view_.edges[number];
   a_ = vector_of(view_.at(edge_.from));
   b_ = vector_of(view_.at(edge_.to));
   if (!view_.perspective) {
@@ -84,8 +84,8 @@ bool EdgeSight::begin(std::uint32_t number) {
 }
 
 bool LineSight::begin(std::uint32_t number) {
-  edge_ = view_.mesh->edges[number];
-  const MeshLine& line = view_.mesh->lines[number - view_.mesh->first_line()];
+  edge_ = view_.edges[number];
+  const MeshLine& line = view_.line_of(edge_);
   const Vector eye = vector_of(view_.eye);
   for (std::size_t i = 0; i < 2; ++i) {
     planes_[i] = {line.planes[i].normal, line.planes[i].offset - dot(line.planes[i].normal, eye)};

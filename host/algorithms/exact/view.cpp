@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <functional>
 #include <span>
 
 #include "host/base/threads.hpp"
@@ -69,10 +70,9 @@ class Raster {
 // farther.
 void place_lines(View& view, const Raster& raster) {
   for (std::size_t l = 0; l < view.mesh->lines.size(); ++l) {
-    const picture::LineEdge& edge = view.mesh->edges[view.mesh->first_line() + l];
     for (std::size_t e = 0; e < 2; ++e) {
       const LinePoint end = view.line_point(view.mesh->lines[l].ends[e]);
-      ViewPoint& point = view.points[e == 0 ? edge.from : edge.to];
+      ViewPoint& point = view.points[view.mesh->first_line_vertex() + 2 * l + e];
       const auto along = [&end](const Vector& direction) { return end.between(dot(direction, end.p), dot(direction, end.q)); };
       const Int128 depth = along(view.forward);
       point.depth = 0;
@@ -155,7 +155,7 @@ FacePart faces_of(const View& view, std::size_t begin, std::size_t end, bool all
     const std::int64_t offset = dot(normal, vector_of(view.at(corners->vertex)));
     const std::int64_t away = view.perspective ? offset : dot(normal, view.forward);
     if (away > 0 && face.sheet == 0) continue;
-    for (std::uint32_t i = 0; all_edges && i < face.corner_count; ++i) part.drawn[corners[i].side] = 1;
+    for (std::uint32_t i = 0; all_edges && i < face.corner_count; ++i) part.drawn[mesh.sides[face.first_corner + i]] = 1;
     if (away == 0) continue;
     // Positive beyond the face: opposite to the normal if the face is turned to the eye.
     const Plane beyond = away < 0 ? Plane{geometry::negated(normal), -offset} : Plane{normal, offset};
@@ -219,25 +219,20 @@ View make_view(const EdgeMesh& mesh, const scene::PolyCamera& camera, const pict
   view.eye = camera.eye;
   view.forward = vector_of(camera.forward);
   view.axes = {vector_of(camera.right), vector_of(camera.up)};
+  view.edges = chosen == nullptr ? std::span(mesh.edges) : std::span(chosen->edges);
+  const auto is_line = [&mesh](const picture::LineEdge& edge) { return edge.from >= mesh.first_line_vertex(); };
+  view.first_line = static_cast<std::uint32_t>(
+      std::partition_point(view.edges.begin(), view.edges.end(), std::not_fn(is_line)) - view.edges.begin());
   place_points(view, camera, jobs);
   place_faces(view, chosen == nullptr, jobs);
   if (chosen == nullptr) {
     for (const std::uint32_t wire : mesh.wires) view.drawn[wire] = 1;
   } else {
-    view.drawn.assign(mesh.edges.size(), 0);
-    auto edge = mesh.edges.begin();
-    view.choices.resize(mesh.edges.size());
-    for (std::uint32_t c = 0; c < chosen->edges.size(); ++c) {
-      while (edge != mesh.edges.end() && *edge < chosen->edges[c]) ++edge;
-      if (edge == mesh.edges.end()) break;
-      if (*edge != chosen->edges[c] || chosen->turned_away[c] != 0) continue;
-      const auto number = static_cast<std::size_t>(edge - mesh.edges.begin());
-      view.drawn[number] = 1;
-      view.choices[number] = c;
-    }
+    view.drawn.resize(view.edges.size());
+    std::transform(chosen->turned_away.begin(), chosen->turned_away.end(), view.drawn.begin(), [](std::uint8_t away) { return away == 0 ? 1 : 0; });
   }
-  for (std::size_t e = 0; view.perspective && e < mesh.edges.size(); ++e) {
-    const picture::LineEdge& edge = mesh.edges[e];
+  for (std::size_t e = 0; view.perspective && e < view.edges.size(); ++e) {
+    const picture::LineEdge& edge = view.edges[e];
     if (view.points[edge.from].depth == 0 && view.points[edge.to].depth == 0) view.drawn[e] = 0;
   }
   return view;

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "host/algorithms/exact/edge_mesh.hpp"
@@ -84,13 +85,14 @@ struct alignas(64) Occluder {
 
 struct View {
   const EdgeMesh* mesh = nullptr;
+  std::span<const picture::LineEdge> edges;  // all of the mesh, or the chosen ones
+  std::uint32_t first_line = 0;              // number of the first edge that is a crossing
   bool perspective = true;
   geometry::Point3 eye{};
   Vector forward{};
   std::array<Vector, 2> axes{};  // right, up
   std::vector<ViewPoint> points;  // by vertex of the mesh
   std::vector<std::uint8_t> drawn;  // 1 for edges that are neither hidden by their own solid nor behind the eye
-  std::vector<std::uint32_t> choices;  // by drawn edge: its number among the chosen edges; empty if none were chosen
   std::vector<Occluder> occluders;
   std::vector<ImageBounds> occluder_bounds;
   std::vector<std::uint32_t> occluder_depths;  // of each occluder's nearest corner
@@ -103,13 +105,15 @@ struct View {
   [[nodiscard]] bool before_eye(const ViewPoint& p) const { return !perspective || p.depth != 0; }
   // Of an edge with an end in front of the eye. The bounds of a crossing are one step larger, because its ends are rounded.
   [[nodiscard]] ImageBounds bounds_of(std::uint32_t number) const {
-    const picture::LineEdge& edge = mesh->edges[number];
-    if (number >= mesh->first_line()) return bounds_of_line(edge);
+    const picture::LineEdge& edge = edges[number];
+    if (number >= first_line) return bounds_of_line(edge);
     ImageBounds bounds;
     extend(bounds, edge.from, edge.to);
     if (before_eye(points[edge.to])) extend(bounds, points[edge.to]);
     return bounds;
   }
+  // Of an edge that is a crossing.
+  [[nodiscard]] const MeshLine& line_of(const picture::LineEdge& edge) const { return mesh->lines[(edge.from - mesh->first_line_vertex()) / 2]; }
   [[nodiscard]] LinePoint line_point(const LineEnd& end) const {
     return {geometry::difference(end.p, eye), geometry::difference(end.q, eye), end.a, end.b};
   }
@@ -131,7 +135,7 @@ struct View {
   void extend_to_infinity(ImageBounds& bounds, std::uint32_t seen, std::uint32_t behind) const;
 };
 
-// `chosen`, if given, lists in ascending order the only edges to draw. Uses up to `jobs` threads.
+// `chosen`, if given, lists in ascending order the only edges to draw, and outlives the view. Uses up to `jobs` threads.
 [[nodiscard]] View make_view(const EdgeMesh& mesh, const scene::PolyCamera& camera,
                              const picture::ChosenEdges* chosen = nullptr, unsigned jobs = 1);
 

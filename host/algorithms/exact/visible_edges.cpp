@@ -132,13 +132,13 @@ class Search {
   }
 
   void append_visible(std::uint32_t number, std::vector<picture::LinePiece>& pieces) {
-    if (number < view_.mesh->first_line()) append_visible(number, shadow_, pieces);
+    if (number < view_.first_line) append_visible(number, shadow_, pieces);
     else append_visible(number, line_shadow_, pieces);
   }
 
   // Tells the listener what hides an edge, drawn or not.
   void find_witnesses(std::uint32_t number) {
-    if (number < view_.mesh->first_line()) find_witnesses(number, shadow_);
+    if (number < view_.first_line) find_witnesses(number, shadow_);
     else find_witnesses(number, line_shadow_);
   }
 
@@ -146,7 +146,7 @@ class Search {
   template <class Shadow>
   void find_witnesses(std::uint32_t number, Shadow& shadow) {
     if (!shadow.begin(number)) return;
-    const picture::LineEdge& edge = view_.mesh->edges[number];
+    const picture::LineEdge& edge = view_.edges[number];
     listener_.edge(edge, shadow);
     static_cast<void>(is_hidden(number, shadow));
     listener_.searched(edge, shadow);
@@ -154,7 +154,7 @@ class Search {
 
   template <class Shadow>
   void append_visible(std::uint32_t number, Shadow& shadow, std::vector<picture::LinePiece>& pieces) {
-    const picture::LineEdge& edge = view_.mesh->edges[number];
+    const picture::LineEdge& edge = view_.edges[number];
     const std::size_t before = pieces.size();
     const bool searched = view_.drawn[number] != 0 && shadow.begin(number);
     if (searched) {
@@ -167,9 +167,9 @@ class Search {
 
   template <class Shadow>
   bool is_hidden(std::uint32_t number, Shadow& shadow) {
-    const picture::LineEdge& edge = view_.mesh->edges[number];
+    const picture::LineEdge& edge = view_.edges[number];
     std::span<const std::uint32_t> beside;  // surfaces whose faces do not hide the edge
-    if (chosen_ != nullptr) beside = chosen_->surfaces_at(view_.choices[number]);
+    if (chosen_ != nullptr) beside = chosen_->surfaces_at(number);
     const std::uint32_t depth = std::max(view_.points[edge.from].depth, view_.points[edge.to].depth);
     const ImageBounds bounds = view_.bounds_of(number);
     if (may_hide_all(last_, bounds, depth) && hides_rest(edge, last_, beside, shadow)) return true;
@@ -315,6 +315,10 @@ constexpr std::size_t fewest_edges_ordered = 50'000;
 constexpr std::size_t fewest_faces_per_job = 8;  // limits the number of threads
 constexpr std::size_t edges_a_look = 1024;       // between two looks at the watch
 
+std::size_t edge_count(const EdgeMesh& mesh, const picture::ChosenEdges* chosen) {
+  return chosen != nullptr ? chosen->edges.size() : mesh.edges.size();
+}
+
 double part_of(std::size_t done, std::size_t all) { return static_cast<double>(done) / static_cast<double>(all); }
 
 template <class Listener>
@@ -324,8 +328,8 @@ picture::LinePicture search_edges(const EdgeMesh& mesh, const scene::PolyCamera&
   const ImageGrid grid(view.occluder_bounds, view.occluder_depths);
   Search<Listener> search(view, grid, chosen, listener);
   picture::LinePicture picture;
-  for (std::uint32_t edge = 0; edge < mesh.edges.size(); ++edge) {
-    if (edge % edges_a_look == 0 && !watch.go_on(part_of(edge, mesh.edges.size()))) return {};
+  for (std::uint32_t edge = 0; edge < view.edges.size(); ++edge) {
+    if (edge % edges_a_look == 0 && !watch.go_on(part_of(edge, view.edges.size()))) return {};
     search.append_visible(edge, picture.pieces);
   }
   return picture;
@@ -334,7 +338,7 @@ picture::LinePicture search_edges(const EdgeMesh& mesh, const scene::PolyCamera&
 constexpr std::size_t ahead = 8;  // edges: data far apart in memory are prefetched
 
 void fetch(const View& view, std::uint32_t edge) {
-  for (const std::uint32_t v : {view.mesh->edges[edge].from, view.mesh->edges[edge].to}) {
+  for (const std::uint32_t v : {view.edges[edge].from, view.edges[edge].to}) {
     __builtin_prefetch(&view.mesh->vertices[v]);
     __builtin_prefetch(&view.points[v]);
   }
@@ -357,7 +361,7 @@ picture::LinePicture search_ordered(const EdgeMesh& mesh, const scene::PolyCamer
       for (std::size_t i = begin; i < end; ++i) {
         if ((i - begin) % edges_a_look == 0 && (number == 0 ? !watch.go_on(part_of(i, end)) : watch.ended())) return;
         if (i + ahead < end) fetch(view, order[i + ahead]);
-        if (i + 2 * ahead < end) __builtin_prefetch(&mesh.edges[order[i + 2 * ahead]]);
+        if (i + 2 * ahead < end) __builtin_prefetch(&view.edges[order[i + 2 * ahead]]);
         std::vector<picture::LinePiece>& pieces = part.block();
         const std::size_t before = pieces.size();
         search.append_visible(order[i], pieces);
@@ -366,27 +370,25 @@ picture::LinePicture search_ordered(const EdgeMesh& mesh, const scene::PolyCamer
     });
   }
   if (watch.ended()) return {};
-  return by_edge(parts, order, mesh.edges.size());
+  return by_edge(parts, order, edge_count(mesh, chosen));
 }
 
 }  // namespace
 
 picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera,
                                    const picture::ChosenEdges* chosen, unsigned jobs, const base::Watch& watch) {
-  if (jobs == 1 && mesh.edges.size() < fewest_edges_ordered) return search_edges(mesh, camera, NoListener(), chosen, watch);
+  if (jobs == 1 && edge_count(mesh, chosen) < fewest_edges_ordered) return search_edges(mesh, camera, NoListener(), chosen, watch);
   return search_ordered(mesh, camera, chosen, jobs, watch);
 }
 
 picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera, const picture::ChosenEdges* chosen,
                                    std::vector<EdgeProof>& proofs, const base::Watch& watch) {
-  View view = make_view(mesh, camera, chosen);
+  const View view = make_view(mesh, camera, chosen);
   const ImageGrid grid(view.occluder_bounds, view.occluder_depths);
   ProofListener listener;
   Search<ProofListener> search(view, grid, chosen, listener);
   proofs.clear();
-  proofs.resize(chosen != nullptr ? chosen->edges.size() : mesh.edges.size());
-  // The number of an edge's proof; edges that are not drawn have none yet.
-  const auto proof_of = [&](std::uint32_t edge) -> EdgeProof& { return proofs[chosen != nullptr ? view.choices[edge] : edge]; };
+  proofs.resize(view.edges.size());
   const std::vector<std::uint32_t> order = in_image_order(view, grid);
   std::vector<SeenPart> parts(1);
   parts[0].counts.reserve(order.size());
@@ -395,32 +397,29 @@ picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera
     const std::uint32_t edge = order[i];
     std::vector<picture::LinePiece>& pieces = parts[0].block();
     const std::size_t before = pieces.size();
-    listener.begin(mesh.edges[edge]);
+    listener.begin(view.edges[edge]);
     search.append_visible(edge, pieces);
     parts[0].counts.push_back(static_cast<std::uint32_t>(pieces.size() - before));
-    proof_of(edge) = std::move(listener.proof());
+    proofs[edge] = std::move(listener.proof());
   }
-  auto number = mesh.edges.begin();
-  for (std::size_t p = 0; p < proofs.size(); ++p) {
-    if (p % edges_a_look == 0 && !watch.go_on(1)) return {};
-    EdgeProof& proof = proofs[p];
-    proof.edge = chosen != nullptr ? chosen->edges[p] : mesh.edges[p];
-    number = std::lower_bound(number, mesh.edges.end(), proof.edge);
-    const auto edge = static_cast<std::uint32_t>(number - mesh.edges.begin());
+  // Edges that are not drawn have no proof yet.
+  for (std::uint32_t edge = 0; edge < proofs.size(); ++edge) {
+    if (edge % edges_a_look == 0 && !watch.go_on(1)) return {};
+    EdgeProof& proof = proofs[edge];
+    proof.edge = view.edges[edge];
     if (view.drawn[edge] != 0) continue;
     if (view.before_eye(view.points[proof.edge.from]) || view.before_eye(view.points[proof.edge.to])) {
-      if (chosen != nullptr) view.choices[edge] = static_cast<std::uint32_t>(p);
       listener.begin(proof.edge);
       search.find_witnesses(edge);
       proof = std::move(listener.proof());
       proof.reason = EdgeProof::Reason::turned_away;
-    } else if (edge < mesh.first_line() ? EdgeSight(view).begin(edge) : LineSight(view).begin(edge)) {
+    } else if (edge < view.first_line ? EdgeSight(view).begin(edge) : LineSight(view).begin(edge)) {
       proof.left = proof.right = {{0, 1, Witness::behind_eye}};
     } else {
       proof.reason = EdgeProof::Reason::point;
     }
   }
-  return by_edge(parts, order, mesh.edges.size());
+  return by_edge(parts, order, view.edges.size());
 }
 
 picture::LinePicture visible_edges(const scene::PolyScene& scene, const scene::PolyCamera& camera, Trace& trace) {

@@ -9,11 +9,10 @@
 
 namespace sightline::registry {
 
-base::Result<PreparedScene> prepare_exact_threads(const scene::PolyScene& scene, unsigned jobs) {
-  const auto mesh =
-      std::make_shared<const algorithms::exact::EdgeMesh>(algorithms::exact::make_edge_mesh(scene));
+base::Result<PreparedScene> prepare_exact_threads(const scene::PolyScene& scene, unsigned jobs, bool of_chosen) {
+  const auto mesh = std::make_shared<const algorithms::exact::EdgeMesh>(algorithms::exact::make_edge_mesh(scene, !of_chosen));
   PreparedScene prepared;
-  prepared.counts = {{"edges", mesh->edges.size()}, {"faces", mesh->faces.size()}};
+  if (!of_chosen) prepared.counts = {{"edges", mesh->edges.size()}, {"faces", mesh->faces.size()}};
   const auto watched = [mesh, jobs](const scene::PolyCamera& camera, const picture::ChosenEdges* chosen, const base::Watch& watch,
                                     std::vector<algorithms::exact::EdgeProof>* proofs) -> base::Result<LineView> {
     if (proofs != nullptr) return LineView{algorithms::exact::visible_edges(*mesh, camera, chosen, *proofs, watch), {}};
@@ -26,7 +25,7 @@ base::Result<PreparedScene> prepare_exact_threads(const scene::PolyScene& scene,
 }
 
 base::Result<PreparedScene> prepare_exact(const scene::PolyScene& scene) {
-  return prepare_exact_threads(scene, 1);
+  return prepare_exact_threads(scene, 1, false);
 }
 
 base::Result<LineView> view_of(const PreparedScene& prepared, const scene::PolyCamera& camera,

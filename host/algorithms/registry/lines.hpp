@@ -70,8 +70,9 @@ struct LineAlgorithm {
   // complex is checked.
   PreparedScene (*prepare_cells)(scene::CellComplex complex) = nullptr;
   bool draws_crossings = false;  // bodies may pass through each other: it also draws PolyScene::crossings and wires
-  // Like `prepare`, but each view uses up to `jobs` threads for the same picture; null if a view uses only one.
-  base::Result<PreparedScene> (*prepare_threads)(const scene::PolyScene& scene, unsigned jobs) = nullptr;
+  // Like `prepare`, but each view uses up to `jobs` threads for the same picture; if `of_chosen`, there will be views of chosen edges
+  // alone, and counts are left out. Null if a view uses only one thread.
+  base::Result<PreparedScene> (*prepare_threads)(const scene::PolyScene& scene, unsigned jobs, bool of_chosen) = nullptr;
   MeshTime mesh_time = {};
 
   [[nodiscard]] std::optional<std::string> why_not_seen(const scene::PolyScene& scene,

@@ -47,6 +47,7 @@ jones::Order order_of(const JonesArguments& arguments) {
   order.immediate = arguments.immediate;
   order.views = arguments.views.value_or(2);
   order.photograph = photograph_time;
+  order.film = arguments.immediate;
   order.check = arguments.check;
   if (arguments.walk && arguments.walk != walk_by_switches) {
     if (arguments.views || !arguments.switches.empty()) throw base::usage_error("--walk: found steps, each of which is a view; --views and --switches need `--walk switches`");
@@ -171,7 +172,7 @@ void add_jones_command(const Command& program) {
   command.option("--walk", arguments->walk, "Walk from cell to cell: the way to each further view, as \"in 100, right 50 up 20\", or \"switches\"")
       .value("STEPS");
   command.flag("--stereo", arguments->stereo, "A stereo pair: AC switch 17 up");
-  command.flag("--immediate", arguments->immediate, "Add lines to the picture at once: AC switch 16 up");
+  command.flag("--immediate", arguments->immediate, "Add lines to the picture at once: AC switch 16 up; with a movie of view 1, SCENE.apng");
   command.option("--views", arguments->views, "Number of views to compute; the last one is shown")
       .default_value("2")
       .range(1, 1000);

@@ -1,13 +1,46 @@
 #include "host/app/commands/jones_pictures.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
+#include <span>
 
 #include "host/app/outputs.hpp"
+#include "host/picture/apng.hpp"
 #include "host/picture/phosphor.hpp"
 #include "host/picture/raster_image.hpp"
 #include "host/picture/stroke_drawing.hpp"
 
 namespace sightline::app {
+
+namespace {
+
+constexpr std::int64_t frame_rate = 25;
+constexpr std::int64_t least_frames = 50;  // two seconds: a view of less is shown in slow motion
+constexpr std::int64_t most_frames = 750;
+
+// The points lit while the first view is computed, at equal times; the last frame stays for a second.
+base::Bytes movie_of(const programs::jones::Outcome& outcome, const std::string& title) {
+  const core::Duration length = outcome.film_end.time_since_epoch();
+  const std::int64_t frames = std::clamp(length * frame_rate / core::seconds(1), least_frames, most_frames);
+  const double speed = core::in_seconds(length) * frame_rate / static_cast<double>(frames);
+  picture::ApngWriter movie({1, static_cast<std::uint16_t>(frame_rate)}, 0,
+                            {{"Title", title},
+                             {"Description", fmt::format("every point lit while lines are added at once, at {:.2f} of the machine's speed", speed)},
+                             {"Software", "sightline"}});
+  std::size_t lit = 0;
+  for (std::int64_t frame = 1; frame <= frames; ++frame) {
+    const core::Instant time = outcome.film_end - length * (frames - frame) / frames;
+    while (lit < outcome.film.size() && outcome.film[lit].time <= time) ++lit;
+    const picture::FrameTime shown{1, static_cast<std::uint16_t>(frame == frames ? 1 : frame_rate)};
+    static_cast<void>(value_of(movie.add(picture::crisp_raster(std::span(outcome.film).first(lit)), shown)));
+  }
+  return value_of(movie.finish());
+}
+
+}  // namespace
 
 std::string title_of(const std::string& scene_name, bool eae) {
   return scene_name + ", Jones 1971 on the PDP-7 " + (eae ? "with" : "without") + " EAE";
@@ -37,6 +70,10 @@ std::vector<std::string> write_jones_pictures(const std::string& directory, cons
   Output screen = open("-phosphor.png");
   write_png(screen, photograph.develop(), describe("the P7 screen, shutter open for 0.2 s"));
   screen.commit();
+  if (outcome.film.empty()) return paths;
+  Output movie = open(".apng");
+  movie.write(movie_of(outcome, title));
+  movie.commit();
   return paths;
 }
 

@@ -15,7 +15,7 @@ namespace sightline::app {
 // The exposure time of the photograph.
 inline constexpr core::Duration photograph_time = core::milliseconds(200);
 
-// Writes DIRECTORY/STEM.png, .svg and, if the outcome has a photograph, -phosphor.png; creates the directory. Returns the
+// Writes DIRECTORY/STEM.png, .svg, if the outcome has a photograph -phosphor.png and if it has a film .apng; creates the directory. Returns the
 // paths. Error io.
 std::vector<std::string> write_jones_pictures(const std::string& directory, const std::string& stem, const std::string& title,
                                               const programs::jones::Outcome& outcome);

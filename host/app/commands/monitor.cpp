@@ -57,7 +57,9 @@ std::vector<machines::Option> monitor_options(const MachineDescription& machine)
     options.push_back(option);
   }
   if (const auto* const dialect = dialect_option(machine)) options.push_back(*dialect);
-  options.push_back({OptionKind::list, "--symbols", "FILE", "Symbols of the program, in a file of `sightline asm --symbols`"});
+  options.push_back({OptionKind::list, "--symbols", "FILE",
+                     machine.radix == 16 ? "Symbols of the program, in a file of `sightline asm --symbols` or a .SYM file of MAC or LINK"
+                                         : "Symbols of the program, in a file of `sightline asm --symbols`"});
   options.push_back({OptionKind::list, "--listing", "FILE", "Listing of the program; its lines are shown with the instructions"});
   options.push_back({OptionKind::list, "--do", "FILE", "Execute the commands of this file first"});
   options.push_back({.kind = OptionKind::text,

@@ -257,7 +257,8 @@ ExitCode run_monitor_session(MonitorSetup setup) {
     Person person(printer, heard);
     return live::run_console(running, limits, *console_options, person);
   };
-  host.running.nobody_types = !terminal;
+  host.running.person_types = terminal && console;
+  host.running.nobody_interrupts = !terminal;
   host.running.interrupted = [] { return base::EndSignals::received() != 0; };
   host.running.print = [&printer](std::string_view text) { static_cast<void>(printer.print(text)); };
   host.speed = [&](const std::string& text) -> base::Result<base::Done> {

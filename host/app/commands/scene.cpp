@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -18,6 +19,9 @@
 #include "host/base/json.hpp"
 #include "host/base/text.hpp"
 #include "host/base/text_table.hpp"
+#include "host/explain/cell_diagrams.hpp"
+#include "host/explain/explain.hpp"
+#include "host/hidden_lines/hidden_lines.hpp"
 #include "host/programs/jones/encode.hpp"
 #include "host/scene/check/cell_complex.hpp"
 #include "host/scene/check/poly_shells.hpp"
@@ -424,7 +428,7 @@ void add_generate(const Command& parent) {
 struct DecomposeArguments {
   std::string scene;
   MeshArguments mesh;
-  std::string method = "auto";
+  std::string method;  // empty: auto
   std::string output;
   bool json = false;
 };
@@ -434,13 +438,13 @@ scene::DecompositionMethod method_named(std::string_view name) {
   return name == "grid" ? scene::DecompositionMethod::grid : scene::DecompositionMethod::automatic;
 }
 
-void write_counts(const DecomposeArguments& arguments, const scene::Decomposition& result) {
-  const scene::CellComplex& complex = result.complex;
+// `method`: how space was decomposed; "own": the cells came with the scene.
+void write_counts(const DecomposeArguments& arguments, const scene::CellComplex& complex, std::string_view method) {
   const std::size_t outside = openings_outside(complex);
   if (arguments.json) {
     return print_json({{"schema", "sightline/scene-compartment/1"},
                        {"scene", arguments.scene},
-                       {"method", method_name(result.method)},
+                       {"method", method},
                        {"cells", complex.cells.size()},
                        {"openings", complex.openings.size()},
                        {"openings_outside", outside},
@@ -449,7 +453,7 @@ void write_counts(const DecomposeArguments& arguments, const scene::Decompositio
                        {"planes", complex.planes.size()}});
   }
   TextTable counts({-10, 0});
-  counts.row({"method", method_name(result.method)});
+  counts.row({"method", method});
   counts.row({"cells", fmt::format("{}", complex.cells.size())});
   counts.row({"openings", fmt::format("{}, {} of them to outside", complex.openings.size(), outside)});
   counts.row({"lines", fmt::format("{}, parts of {}", complex.lines.size(), count_text(complex.edges.size(), "edge"))});
@@ -457,21 +461,55 @@ void write_counts(const DecomposeArguments& arguments, const scene::Decompositio
   write_stdout(counts.text());
 }
 
-// host/scene/read/cell_complex_file.hpp describes the format of the file.
+// The format of a drawing of the cells; nullopt: the file is JSON.
+std::optional<hidden_lines::Format> drawing_format(const std::string& path) {
+  using hidden_lines::Format;
+  const auto format = hidden_lines::format_named(path.substr(std::min(path.size(), path.rfind('.') + 1)));
+  const bool drawing = format == Format::svg || format == Format::pdf || format == Format::png || format == Format::dxf;
+  return drawing ? format : std::nullopt;
+}
+
+void write_diagrams(const scene::CellComplex& complex, const scene::LoadedScene& source, hidden_lines::Format format, Output& output) {
+  const picture::VectorDrawing drawing = value_of(explain::cell_diagrams(complex, source.scene.camera), source.name);
+  hidden_lines::WriteOptions options;
+  options.format = format;
+  options.title = source.name + ", its cells";
+  options.paper = {drawing.width + 2 * options.paper.margin, drawing.height + 2 * options.paper.margin};
+  constexpr double pixels_per_millimetre = 4;
+  constexpr double most_pixels = 8192;
+  options.image.width = static_cast<int>(std::min(most_pixels, std::ceil(options.paper.width * pixels_per_millimetre)));
+  options.image.height = static_cast<int>(std::min(most_pixels, std::ceil(options.paper.height * pixels_per_millimetre)));
+  options.image.unit = std::min(options.image.width / options.paper.width, options.image.height / options.paper.height);
+  options.sheet = true;
+  const hidden_lines::Written written = value_of(hidden_lines::write(drawing, options));
+  output.write(std::string_view(written.bytes));
+  output.commit();
+}
+
+// Drawings show the cells that come with a scene; for JSON, and for all other scenes, its space is decomposed.
+// host/scene/read/cell_complex_file.hpp describes the format of the JSON file.
 ExitCode decompose(const DecomposeArguments& arguments) {
+  const auto format = drawing_format(arguments.output);
   std::unique_ptr<Output> output;
   if (!arguments.output.empty()) output = std::make_unique<Output>(arguments.output);
   const scene::LoadedScene source = load_scene(arguments.scene, arguments.mesh);
+  if (auto own = format && arguments.method.empty() ? explain::cells_of_search(source) : std::nullopt) {
+    write_diagrams(*own, source, *format, *output);
+    write_counts(arguments, *own, "own");
+    return ExitCode::ok;
+  }
   const scene::Decomposition result =
       value_of(scene::decomposition_of(source.scene, method_named(arguments.method)), arguments.scene);
   const auto errors = scene::check_complex(result.complex, source.scene);
   for (const base::Error& error : errors) print_message(error.message());
   if (!errors.empty()) return ExitCode::differs;
-  if (output) {
+  if (format) {
+    write_diagrams(result.complex, source, *format, *output);
+  } else if (output) {
     scene::write_cell_complex(source.scene, result, [&](std::string_view text) { output->write(text); });
     output->commit();
   }
-  if (!output || !output->is_stdout()) write_counts(arguments, result);
+  if (!output || !output->is_stdout()) write_counts(arguments, result.complex, method_name(result.method));
   return ExitCode::ok;
 }
 
@@ -483,11 +521,11 @@ void add_decompose(const Command& parent) {
   add_mesh_options(command, arguments->mesh);
   command.option("--method", arguments->method, "How space is decomposed")
       .one_of({"auto", "grid", "bsp"})
-      .default_value()
+      .default_value("auto; a drawing shows the cells that come with the scene")
       .value("METHOD");
   command
       .option("-o,--output", arguments->output,
-              "The cells as JSON; - is standard output, without the counts")
+              "A drawing of the cells (.svg, .pdf, .png, .dxf), or the cells as JSON (any other name; - is standard output, without the counts)")
       .value("FILE");
   command.flag("--json", arguments->json, "The counts as one JSON document");
   command.run([arguments] { return decompose(*arguments); });

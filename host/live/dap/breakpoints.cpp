@@ -3,9 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
-#include "host/base/number.hpp"
 #include "host/live/dap/messages.hpp"
 
 namespace sightline::live::dap {
@@ -29,11 +29,9 @@ Json ClientBreakpoints::add(Breakpoint breakpoint, const Json& request, std::vec
     if (!value) return Json{{"verified", false}, {"message", value.error().message()}};
     breakpoint.condition = condition;
   }
-  if (!count.empty()) {
-    const auto number = base::count_number(count);
-    if (!number || *number == 0) return Json{{"verified", false}, {"message", "expected a count, decimal"}};
-    breakpoint.count = *number;
-  }
+  if (!count.empty()) breakpoint.count = base::value_of(read_hit_count(count));
+  breakpoint.log = text_in(request, "logMessage");
+  static_cast<void>(base::value_of(debugger_->log_text(breakpoint.log)));
   const int number = debugger_->breakpoints().add(std::move(breakpoint));
   numbers.push_back(number);
   return Json{{"id", number}, {"verified", true}};
@@ -54,19 +52,15 @@ Json ClientBreakpoints::set_all(const Json& list, std::vector<int>& numbers, Mak
   return Json{{"breakpoints", std::move(answers)}};
 }
 
-// The first line from the wanted one on that assembles to a word, or the value of the name.
-ClientBreakpoints::Found ClientBreakpoints::place_for(const Wanted& wanted) const {
-  if (!wanted.name.empty()) return {base::value_of(debugger_->address_of(wanted.name)), 0};
-  const std::map<Symbols::Place, std::uint32_t>& lines = debugger_->symbols().lines();
-  const auto found = std::find_if(lines.begin(), lines.end(), [&](const auto& known) {
-    return static_cast<std::int64_t>(known.first.line) >= wanted.line && same_file(known.first.file, wanted.file);
-  });
-  if (found == lines.end()) throw base::usage_error("neither this line nor a later one assembles to a word");
-  return {found->second, found->first.line};
+CodeLine ClientBreakpoints::place_for(const Wanted& wanted) const {
+  if (!wanted.name.empty()) return {0, base::value_of(debugger_->address_of(wanted.name))};
+  const auto lines = code_lines(debugger_->symbols(), wanted.file, wanted.line, std::numeric_limits<std::int64_t>::max());
+  if (lines.empty()) throw base::usage_error("neither this line nor a later one assembles to a word");
+  return lines.front();
 }
 
 Json ClientBreakpoints::add_at(const Wanted& wanted, const Json& request, std::vector<int>& numbers) {
-  const Found found = place_for(wanted);
+  const CodeLine found = place_for(wanted);
   Breakpoint breakpoint;
   breakpoint.first = breakpoint.last = found.at;
   Json answer = add(breakpoint, request, numbers);
@@ -76,7 +70,7 @@ Json ClientBreakpoints::add_at(const Wanted& wanted, const Json& request, std::v
   return answer;
 }
 
-void ClientBreakpoints::add_place(Json& breakpoint, const Found& found) const {
+void ClientBreakpoints::add_place(Json& breakpoint, const CodeLine& found) const {
   if (found.line == 0) return;
   breakpoint["line"] = numbering_.line(found.line);
   breakpoint["instructionReference"] = reference(found.at);
@@ -104,7 +98,7 @@ std::vector<Json> ClientBreakpoints::find_places_again() {
     const auto& [number, wanted] = each;
     Json breakpoint{{"id", number}, {"verified", false}};
     try {
-      const Found found = place_for(wanted);
+      const CodeLine found = place_for(wanted);
       if (!debugger_->breakpoints().move(number, found.at)) return true;
       breakpoint["verified"] = true;
       add_place(breakpoint, found);
@@ -129,12 +123,22 @@ Json ClientBreakpoints::set_at_instructions(const Json& arguments) {
 
 Json ClientBreakpoints::data_info(const Json& arguments) {
   const std::string name = text_in(arguments, "name");
-  if (debugger_->register_named(name)) return Json{{"dataId", Json()}, {"description", "a register cannot be watched"}};
-  if (debugger_->is_state(name)) return Json{{"dataId", Json()}, {"description", name + " is no word of memory"}};
-  const auto at = debugger_->address_of(name);
-  if (!at) return Json{{"dataId", Json()}, {"description", at.error().message()}};
-  return Json{{"dataId", reference(*at)},
-              {"description", fmt::format("word at {} {}", debugger_->address(*at), debugger_->symbols().near(*at))},
+  const auto none = [](const std::string& why) { return Json{{"dataId", Json()}, {"description", why}}; };
+  // With asAddress the value of any expression is the address, also that of [ADDRESS] or a register.
+  const bool as_address = flag_in(arguments, "asAddress");
+  if (!as_address && (debugger_->register_named(name) || debugger_->pair_named(name))) return none("a register cannot be watched");
+  if (!as_address && debugger_->is_state(name)) return none(name + " is no word of memory");
+  const std::string_view word = as_address ? std::string_view() : word_in_brackets(name);
+  const auto at = debugger_->address_of(word.empty() ? std::string_view(name) : word);
+  if (!at) return none(at.error().message());
+  const std::int64_t a_word = bytes_a_word(*debugger_);
+  const std::int64_t bytes = std::clamp<std::int64_t>(integer_in(arguments, "bytes", 1), 1, std::int64_t{debugger_->machine().words() - *at} * a_word);
+  const std::uint32_t last = *at + static_cast<std::uint32_t>((bytes - 1) / a_word);
+  const std::string near = debugger_->symbols().near(*at);
+  const std::string place = last == *at ? "word at " + debugger_->address(*at)
+                                        : fmt::format("words at {}-{}", debugger_->address(*at), debugger_->address(last));
+  return Json{{"dataId", reference(*at) + (last == *at ? std::string() : "-" + reference(last))},
+              {"description", near.empty() ? place : place + " " + near},
               {"accessTypes", Json::array({Json("read"), Json("write"), Json("readWrite")})}};
 }
 
@@ -143,7 +147,11 @@ Json ClientBreakpoints::set_on_data(const Json& arguments) {
     const std::string access = text_in(each, "accessType");
     Breakpoint breakpoint;
     breakpoint.kind = Breakpoint::Kind::memory;
-    breakpoint.first = breakpoint.last = place_of(*debugger_, text_in(each, "dataId"), 0);
+    const std::string id = text_in(each, "dataId");
+    const std::size_t dash = id.find('-');
+    breakpoint.first = place_of(*debugger_, id.substr(0, dash), 0);
+    breakpoint.last = dash == std::string::npos ? breakpoint.first : place_of(*debugger_, id.substr(dash + 1), 0);
+    if (breakpoint.last < breakpoint.first) throw base::usage_error(fmt::format("found dataId {}, expected one of dataBreakpointInfo", id));
     breakpoint.access = static_cast<std::uint8_t>(access == "read"        ? Probe::is_read
                                                   : access == "readWrite" ? Probe::is_read | Probe::is_written
                                                                           : Probe::is_written);

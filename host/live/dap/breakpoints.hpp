@@ -25,7 +25,7 @@ class ClientBreakpoints {
   [[nodiscard]] base::Json set_at_functions(const base::Json& arguments);
   [[nodiscard]] base::Json set_at_instructions(const base::Json& arguments);
   [[nodiscard]] base::Json set_on_data(const base::Json& arguments);
-  // The word of memory at the value of a name or an expression. Registers cannot be watched.
+  // The words of memory that a name, [ADDRESS] or an expression stands for. Registers cannot be watched.
   [[nodiscard]] base::Json data_info(const base::Json& arguments);
 
   // Finds the places again after the sources have been assembled again. Returns the bodies of the events `breakpoint`.
@@ -40,18 +40,14 @@ class ClientBreakpoints {
     std::int64_t line = 0;  // from 1
     std::string name;       // of a function; `file` is then empty
   };
-  struct Found {
-    std::uint32_t at = 0;
-    std::size_t line = 0;  // from 1; 0: found by name
-  };
-
   void forget(std::vector<int>& numbers);
   [[nodiscard]] base::Json add(Breakpoint breakpoint, const base::Json& request, std::vector<int>& numbers);
   [[nodiscard]] base::Json add_at(const Wanted& wanted, const base::Json& request, std::vector<int>& numbers);
   template <class Make>
   [[nodiscard]] base::Json set_all(const base::Json& list, std::vector<int>& numbers, Make make);
-  [[nodiscard]] Found place_for(const Wanted& wanted) const;
-  void add_place(base::Json& breakpoint, const Found& found) const;
+  // The first line from the wanted one on that assembles to a word, or the value of the name, with line 0.
+  [[nodiscard]] CodeLine place_for(const Wanted& wanted) const;
+  void add_place(base::Json& breakpoint, const CodeLine& found) const;
 
   const Numbering& numbering_;
   Debugger* debugger_ = nullptr;

@@ -137,7 +137,8 @@ class Adapter {
           "supportsFunctionBreakpoints", "supportsInstructionBreakpoints", "supportsDataBreakpoints", "supportsStepBack",
           "supportsEvaluateForHovers", "supportsSetVariable", "supportsReadMemoryRequest", "supportsWriteMemoryRequest",
           "supportsDisassembleRequest", "supportsSteppingGranularity", "supportsTerminateRequest", "supportsSetExpression",
-          "supportsCompletionsRequest", "supportsRestartRequest"})
+          "supportsCompletionsRequest", "supportsRestartRequest", "supportsLogPoints", "supportsGotoTargetsRequest",
+          "supportsBreakpointLocationsRequest", "supportsLoadedSourcesRequest", "supportsDataBreakpointBytes"})
       can[each] = true;
     hears_invalidated_ = flag_in(arguments, "supportsInvalidatedEvent");
     hears_memory_ = flag_in(arguments, "supportsMemoryEvent");
@@ -171,6 +172,7 @@ class Adapter {
     };
     run.interrupted = [this] { return message_waits(); };
     run.print = [this](std::string_view text) { output("stdout", text); };
+    run.log = [this](std::string_view text) { output("console", std::string(text) + "\n"); };
     MonitorHost commands = host_.commands;
     debugger_.emplace(*launched_->description, *launched_->prepared.machine, launched_->prepared.limits,
                       std::move(launched_->symbols), std::move(run));
@@ -290,6 +292,16 @@ class Adapter {
       if (!met) return stopped("pause", {});
       stopped(*met ? "breakpoint" : "entry", *met ? std::string() : std::string("the past reaches no further"));
     });
+    return {};
+  }
+
+  // Sets PC to the address that is the number of a target.
+  Json go_to(const Json& arguments) {
+    if (running_) throw base::usage_error("found goto while the machine runs, expected it after a stop");
+    const std::int64_t at = dap::integer_in(arguments, "targetId", -1);
+    if (at < 0 || at >= debugger_->machine().words()) throw base::usage_error("found a targetId that gotoTargets has not returned");
+    debugger_->set(debugger_->pc_register(), static_cast<std::uint32_t>(at));
+    afterwards_.push_back([this] { stopped("goto", {}); });
     return {};
   }
 
@@ -419,6 +431,10 @@ std::span<const Adapter::Command> Adapter::commands() {
       Command{"readMemory", true, &Adapter::with_view<&dap::View::read_memory>},
       Command{"writeMemory", true, &Adapter::with_view<&dap::View::write_memory>},
       Command{"disassemble", true, &Adapter::with_view<&dap::View::disassemble>},
+      Command{"breakpointLocations", true, &Adapter::with_view<&dap::View::breakpoint_locations>},
+      Command{"loadedSources", true, &Adapter::with_view<&dap::View::loaded_sources>},
+      Command{"gotoTargets", true, &Adapter::with_view<&dap::View::goto_targets>},
+      Command{"goto", true, &Adapter::go_to},
   };
   return rows;
 }

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -110,10 +111,9 @@ Json View::set_expression(const Json& arguments) {
     request["variablesReference"] = std::int64_t{of_registers};
     return set_variable(request);
   }
-  const std::string_view place = base::without_blanks(expression);
-  if (place.size() < 3 || place.front() != '[' || place.back() != ']')
-    throw base::usage_error(fmt::format("found {}, expected a register or a word as [ADDRESS]", expression));
-  const std::uint32_t at = base::value_of(debugger_.address_of(place.substr(1, place.size() - 2)));
+  const std::string_view place = word_in_brackets(expression);
+  if (place.empty()) throw base::usage_error(fmt::format("found {}, expected a register or a word as [ADDRESS]", expression));
+  const std::uint32_t at = base::value_of(debugger_.address_of(place));
   const std::int64_t value = base::value_of(debugger_.evaluate(text_in(arguments, "value")));
   if (value < 0 || value >= std::int64_t{1} << debugger_.description().word_bits)
     throw base::usage_error(fmt::format("found {}, expected a word of {} bits", text_in(arguments, "value"), debugger_.description().word_bits));
@@ -145,43 +145,73 @@ Json View::completions(const Json& arguments) {
 
 Json View::value_of(const std::string& expression) const {
   const std::int64_t value = base::value_of(debugger_.evaluate(expression));
-  const bool word = value >= 0 && value < std::int64_t{1} << debugger_.description().word_bits;
-  std::string result = word ? debugger_.word(static_cast<std::uint32_t>(value)) : std::string();
-  result += fmt::format("{}{}.", result.empty() ? "" : " = ", value);
-  Json body{{"result", result}, {"variablesReference", 0}};
+  Json body{{"result", debugger_.value_text(value)}, {"variablesReference", 0}};
   if (value >= 0 && value < debugger_.machine().words()) body["memoryReference"] = reference(static_cast<std::uint32_t>(value));
   return body;
 }
 
 Json View::read_memory(const Json& arguments) {
-  const std::uint32_t first = place_of(debugger_, text_in(arguments, "memoryReference"), integer_in(arguments, "offset", 0));
-  const std::uint32_t words = debugger_.machine().words() - first;
-  const std::int64_t most = std::int64_t{words} * bytes_a_word(debugger_);
+  const std::int64_t a_word = bytes_a_word(debugger_);
+  const std::int64_t first = byte_place_of(debugger_, text_in(arguments, "memoryReference"), integer_in(arguments, "offset", 0));
   const std::int64_t wanted = std::max<std::int64_t>(0, integer_in(arguments, "count", 0));
-  const std::int64_t count = std::min(wanted, most);
+  const std::int64_t count = std::min(wanted, debugger_.machine().words() * a_word - first);
   std::vector<std::uint8_t> bytes;
-  for (std::int64_t n = 0; n < count; ++n) {
-    const std::int64_t a_word = bytes_a_word(debugger_);
-    const std::uint32_t word = debugger_.machine().word(first + static_cast<std::uint32_t>(n / a_word));
-    bytes.push_back(static_cast<std::uint8_t>(word >> (8 * (n % a_word))));
-  }
-  return Json{{"address", reference(first)}, {"unreadableBytes", wanted - count}, {"data", base64(bytes)}};
+  for (std::int64_t place = first; place < first + count; ++place)
+    bytes.push_back(static_cast<std::uint8_t>(debugger_.machine().word(static_cast<std::uint32_t>(place / a_word)) >> (8 * (place % a_word))));
+  return Json{{"address", reference(static_cast<std::uint32_t>(first / a_word))}, {"unreadableBytes", wanted - count}, {"data", base64(bytes)}};
 }
 
 Json View::write_memory(const Json& arguments) {
   const auto bytes = bytes_of_base64(text_in(arguments, "data"));
-  if (!bytes || bytes->size() % bytes_a_word(debugger_) != 0)
-    throw base::usage_error(fmt::format("found data that is not base64 of whole words, expected {} bytes a word", bytes_a_word(debugger_)));
-  const std::uint32_t first = place_of(debugger_, text_in(arguments, "memoryReference"), integer_in(arguments, "offset", 0));
-  if (bytes->size() / bytes_a_word(debugger_) > debugger_.machine().words() - first)
-    throw base::usage_error("found more words than memory has from that address on");
+  if (!bytes) throw base::usage_error("found data that is not base64");
+  const std::int64_t a_word = bytes_a_word(debugger_);
+  const std::int64_t first = byte_place_of(debugger_, text_in(arguments, "memoryReference"), integer_in(arguments, "offset", 0));
+  const auto wanted = static_cast<std::int64_t>(bytes->size());
+  const std::int64_t count = std::min(wanted, debugger_.machine().words() * a_word - first);
+  if (count < wanted && !flag_in(arguments, "allowPartial"))
+    throw base::usage_error(fmt::format("found {} bytes, expected at most {}: memory ends there; allowPartial writes these", wanted, count));
   const std::uint32_t most = (std::uint32_t{1} << debugger_.description().word_bits) - 1;
-  for (std::size_t at = 0; at < bytes->size(); at += bytes_a_word(debugger_)) {
-    std::uint32_t word = 0;
-    for (std::size_t n = bytes_a_word(debugger_); n-- > 0;) word = word << 8 | (*bytes)[at + n];
-    debugger_.put(first + static_cast<std::uint32_t>(at / bytes_a_word(debugger_)), word & most);
+  // Bytes of a word that are not written keep their value.
+  for (std::int64_t n = 0; n < count;) {
+    const auto at = static_cast<std::uint32_t>((first + n) / a_word);
+    std::uint32_t word = debugger_.machine().word(at);
+    do {
+      const std::int64_t shift = 8 * ((first + n) % a_word);
+      word = (word & ~(std::uint32_t{0xFF} << shift)) | std::uint32_t{(*bytes)[static_cast<std::size_t>(n)]} << shift;
+      ++n;
+    } while (n < count && (first + n) % a_word != 0);
+    debugger_.put(at, word & most);
   }
-  return Json{{"bytesWritten", bytes->size()}};
+  return Json{{"bytesWritten", count}};
+}
+
+Json View::breakpoint_locations(const Json& arguments) {
+  const std::int64_t first = integer_in(arguments, "line", 0) + 1 - numbering_.first_line;
+  const std::int64_t last = integer_in(arguments, "endLine", integer_in(arguments, "line", 0)) + 1 - numbering_.first_line;
+  Json list = Json::array();
+  for (const CodeLine& each : code_lines(debugger_.symbols(), text_in(member(arguments, "source"), "path"), first, last))
+    list.push_back(Json{{"line", numbering_.line(each.line)}});
+  return Json{{"breakpoints", std::move(list)}};
+}
+
+Json View::loaded_sources(const Json&) {
+  Json list = Json::array();
+  for (const std::string& file : source_files(debugger_.symbols())) list.push_back(source_of(file));
+  return Json{{"sources", std::move(list)}};
+}
+
+Json View::goto_targets(const Json& arguments) {
+  const auto lines = code_lines(debugger_.symbols(), text_in(member(arguments, "source"), "path"),
+                                integer_in(arguments, "line", 0) + 1 - numbering_.first_line, std::numeric_limits<std::int64_t>::max());
+  Json list = Json::array();
+  if (!lines.empty()) {
+    const CodeLine& found = lines.front();
+    list.push_back(Json{{"id", std::int64_t{found.at}},
+                        {"label", debugger_.address(found.at) + " " + debugger_.instruction_text(found.at)},
+                        {"line", numbering_.line(found.line)},
+                        {"instructionPointerReference", reference(found.at)}});
+  }
+  return Json{{"targets", std::move(list)}};
 }
 
 Json View::disassemble(const Json& arguments) {

@@ -28,6 +28,11 @@ class View {
   [[nodiscard]] base::Json read_memory(const base::Json& arguments);
   [[nodiscard]] base::Json write_memory(const base::Json& arguments);
   [[nodiscard]] base::Json disassemble(const base::Json& arguments);
+  // The lines of a source at which a breakpoint can be set.
+  [[nodiscard]] base::Json breakpoint_locations(const base::Json& arguments);
+  [[nodiscard]] base::Json loaded_sources(const base::Json& arguments);
+  // Where `goto` can continue for a line of a source: at that line, or the next one with code. The number of a target is its address.
+  [[nodiscard]] base::Json goto_targets(const base::Json& arguments);
 
   // The value of an expression, as the body of `evaluate`.
   [[nodiscard]] base::Json value_of(const std::string& expression) const;

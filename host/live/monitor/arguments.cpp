@@ -91,28 +91,37 @@ std::int64_t Reader::cycles(std::string_view text) const {
   return static_cast<std::int64_t>(std::min(text.empty() ? 1 : count(text), most)) * debugger_.description().ticks_per_cycle;
 }
 
+std::optional<std::int64_t> Reader::time(std::string_view text) const {
+  double unit = 0;
+  for (const auto& [name, seconds] :
+       {std::pair<std::string_view, double>{"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}, {"s", 1.0}}) {
+    if (unit == 0 && text.ends_with(name)) {
+      unit = seconds;
+      text.remove_suffix(name.size());
+    }
+  }
+  const auto number = base::fixed_number(text, 0, 1e12);
+  if (unit == 0 || !number) return std::nullopt;
+  return static_cast<std::int64_t>(std::llround(
+      std::min(*number * unit * static_cast<double>(debugger_.machine().ticks_per_second()), 4e18)));
+}
+
+std::optional<std::int64_t> Reader::limit(std::string_view arguments) const {
+  if (arguments.empty()) return std::nullopt;
+  std::string_view rest = arguments;
+  const std::string word = base::lower_case(take_part(rest));
+  const auto limit = time(rest);
+  if (word != "within" || !limit) throw base::usage_error(fmt::format("found \"{}\", expected within TIME, such as within 90s", arguments));
+  return limit;
+}
+
 Goal Reader::goal(std::string_view arguments) const {
   if (arguments.empty()) return {};
   std::string_view rest = arguments;
   const std::string word = base::lower_case(take_part(rest));
   if ((word != "until" && word != "for") || rest.empty())
     throw base::usage_error(fmt::format("found \"{}\", expected until or for with a time, an expression or a count", arguments));
-  // "0.5s", "20ms", "100us"
-  const auto ticks = [&](std::string_view text) -> std::optional<std::int64_t> {
-    double unit = 0;
-    for (const auto& [name, seconds] :
-         {std::pair<std::string_view, double>{"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}, {"s", 1.0}}) {
-      if (unit == 0 && text.ends_with(name)) {
-        unit = seconds;
-        text.remove_suffix(name.size());
-      }
-    }
-    const auto number = base::fixed_number(text, 0, 1e12);
-    if (unit == 0 || !number) return std::nullopt;
-    return static_cast<std::int64_t>(std::llround(
-        std::min(*number * unit * static_cast<double>(debugger_.machine().ticks_per_second()), 4e18)));
-  };
-  if (const auto time = ticks(rest)) return {.until = word == "for" ? debugger_.machine().ticks() + *time : *time};
+  if (const auto ticks = time(rest)) return {.until = word == "for" ? debugger_.machine().ticks() + *ticks : *ticks};
   if (word == "until") {
     static_cast<void>(value(rest));
     return {.condition = std::string(rest)};
@@ -134,8 +143,20 @@ Breakpoint Reader::parse_options(std::string_view arguments, Breakpoint breakpoi
     rest.erase(at);
     return tail;
   };
-  if (const auto number = take_tail("count")) breakpoint.count = count(*number);
-  if (breakpoint.count == 0) throw base::usage_error("found count 0, expected 1 or more: the stop is at every so many times");
+  // A text may contain the other words: it is removed first.
+  if (const std::size_t quote = rest.find('"'); quote != std::string::npos) {
+    constexpr std::string_view word = "log";
+    const std::string before(without_blanks(std::string_view(rest).substr(0, quote)));
+    const std::string place(without_blanks(std::string_view(before).substr(0, before.size() - std::min(word.size(), before.size()))));
+    if (!before.ends_with(word) || (before.size() > word.size() && before[before.size() - word.size() - 1] != ' '))
+      throw base::usage_error(fmt::format("found {}, expected log before a text in quotes", rest.substr(quote)));
+    std::string_view tail = std::string_view(rest).substr(quote);
+    breakpoint.log = take_part(tail);
+    if (breakpoint.log.empty()) throw base::usage_error("expected log \"TEXT\" with a text");
+    static_cast<void>(base::value_of(debugger_.log_text(breakpoint.log)));
+    rest = place + " " + std::string(tail);
+  }
+  if (const auto number = take_tail("count")) breakpoint.count = base::value_of(read_hit_count(*number));
   if (const auto condition = take_tail("if")) {
     breakpoint.condition = *condition;
     if (breakpoint.condition.empty()) throw base::usage_error("expected an expression behind `if`");
@@ -160,7 +181,7 @@ Breakpoint Reader::parse_options(std::string_view arguments, Breakpoint breakpoi
     } else if (how == "rw") {
       breakpoint.access = Probe::is_read | Probe::is_written;
     } else if (!how.empty()) {
-      throw base::usage_error(fmt::format("found \"{}\", expected r, w, rw, value, if or count", how));
+      throw base::usage_error(fmt::format("found \"{}\", expected r, w, rw, value, if, count or log", how));
     }
     if (breakpoint.kind == Breakpoint::Kind::port) {
       const std::int64_t number = value(place);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -35,14 +36,18 @@ class Reader {
   [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> range(std::string_view text) const;
   // A number of cycles, in the machine's unit; 1 if the text is empty.
   [[nodiscard]] std::int64_t cycles(std::string_view text) const;
+  // [within TIME], in the machine's unit; nullopt: nothing.
+  [[nodiscard]] std::optional<std::int64_t> limit(std::string_view arguments) const;
   // until TIME | until EXPRESSION | for TIME | for N cycles | for N instructions; empty: no goal.
   [[nodiscard]] Goal goal(std::string_view arguments) const;
-  // [ADDRESS | iot DEVICE | interrupt | when EXPRESSION | a condition of the machine] [if EXPRESSION] [count N]
+  // [ADDRESS | iot DEVICE | interrupt | when EXPRESSION | a condition of the machine] [if EXPRESSION] [count N] [log "TEXT"]
   [[nodiscard]] Breakpoint breakpoint(std::string_view arguments) const;
-  // ADDRESS[-ADDRESS] | port N [r|w|rw] [value V] [if EXPRESSION] [count N]
+  // ADDRESS[-ADDRESS] | port N [r|w|rw] [value V] [if EXPRESSION] [count N] [log "TEXT"]
   [[nodiscard]] Breakpoint watchpoint(std::string_view arguments) const;
 
  private:
+  // "0.5s", "20ms", "100us", in the machine's unit; nullopt: no such time.
+  [[nodiscard]] std::optional<std::int64_t> time(std::string_view text) const;
   [[nodiscard]] Breakpoint parse_options(std::string_view arguments, Breakpoint breakpoint) const;
 
   Debugger& debugger_;

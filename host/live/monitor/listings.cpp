@@ -59,21 +59,6 @@ std::string disassembly(const Debugger& debugger, std::uint32_t at, std::uint32_
   return text;
 }
 
-std::string value(const Debugger& debugger, std::int64_t value) {
-  const auto bits = static_cast<std::uint64_t>(value);
-  std::string text = debugger.radix() == 16  ? fmt::format("{:X} = ", bits)
-                     : debugger.radix() == 8 ? fmt::format("{:o} = ", bits)
-                                              : std::string();
-  text += fmt::format("{}.", value);
-  const std::int64_t sign = std::int64_t{1} << (debugger.description().word_bits - 1);
-  if (value >= sign && value < 2 * sign) text += fmt::format(" = {}. as a word with a sign", value - 2 * sign);
-  if (value >= 0 && value < debugger.machine().words()) {
-    const std::string near = debugger.symbols().near(static_cast<std::uint32_t>(value));
-    if (!near.empty()) text += " = " + near;
-  }
-  return text + "\n";
-}
-
 std::string writer(Debugger& debugger, std::uint32_t at) {
   const auto writer = debugger.last_writer(at);
   if (!writer) return fmt::format("{}: nothing has written there since the monitor began\n", debugger.address(at));

@@ -15,8 +15,6 @@ inline constexpr std::uint32_t most_listed = 4096;  // words or instructions
 [[nodiscard]] std::string memory(const Debugger& debugger, std::uint32_t first, std::uint32_t last);
 // At most `most` instructions from `at`; none begins after `last`.
 [[nodiscard]] std::string disassembly(const Debugger& debugger, std::uint32_t at, std::uint32_t last, std::uint32_t most);
-// A number in the radix, in decimal and, if possible, as a signed word and as an address.
-[[nodiscard]] std::string value(const Debugger& debugger, std::int64_t value);
 // The instruction that last wrote a word.
 [[nodiscard]] std::string writer(Debugger& debugger, std::uint32_t at);
 // The cycles of the current instruction.

@@ -101,6 +101,8 @@ class Monitor::Impl {
   Answer over(std::string_view arguments);
   Answer out(std::string_view arguments);
   Answer go(std::string_view arguments);
+  Answer start(std::string_view arguments);
+  Answer reset(std::string_view arguments);
   Answer resume(std::string_view arguments);
   Answer run_until(std::string_view arguments);
   Answer set_break(std::string_view arguments);
@@ -161,14 +163,17 @@ std::span<const Monitor::Impl::Verb> Monitor::Impl::verbs() {
       Verb{"out", 1, "", "run to the return from the subroutine called last", &Impl::out},
       Verb{"cycle", 2, "[N]", "run N memory cycles or T-states (1), and show those of an instruction that is under way then", &Impl::cycle},
       Verb{"continue", 1, "", "continue from where the machine is", &Impl::resume},
-      Verb{"go", 1, "[ADDRESS]", "press START at the address, or continue", &Impl::go},
+      Verb{"go", 1, "[ADDRESS]", "go on from the address, or continue; an address ends a HALT, and on the PDP-7 START is pressed", &Impl::go},
+      Verb{"start", 3, "[ADDRESS]", "reset, then run from the address, or from where the program began", &Impl::start},
+      Verb{"reset", 4, "", "the 8080: the RESET line clears PC and INTE and ends HLT; the PDP-7: as START, all flags are cleared", &Impl::reset},
       Verb{"run", 2, "[until TIME | until EXPRESSION | for TIME | for N cycles | for N instructions]",
            "run to a goal; TIME is 0.5s, 20ms or 100us", &Impl::run_until},
-      Verb{"break", 1, "[ADDRESS | iot DEVICE | interrupt | when EXPRESSION] [if EXPRESSION] [count N]",
-           "stop before an instruction, after an IOT or an interrupt, or when an expression becomes true; alone: at PC",
+      Verb{"break", 1, "[ADDRESS | iot DEVICE | interrupt | when EXPRESSION] [if EXPRESSION] [count N] [log \"TEXT\"]",
+           "stop before an instruction, after an IOT or an interrupt, or when an expression becomes true; alone: at PC. count N: every Nth "
+           "time; also =N, >N, >=N, <N, <=N. log: print the text instead, with the values of expressions in braces: \"ac is {ac}\"",
            &Impl::set_break},
-      Verb{"watch", 1, "ADDRESS[-ADDRESS] | port N [r|w|rw] [value V] [if EXPRESSION] [count N]",
-           "stop after an access to memory (w) or a port (rw)", &Impl::set_watch},
+      Verb{"watch", 1, "ADDRESS[-ADDRESS] | port N [r|w|rw] [value V] [if EXPRESSION] [count N] [log \"TEXT\"]",
+           "stop after an access to memory (w) or a port (rw); count and log as for break", &Impl::set_watch},
       Verb{"delete", 3, "[N...]", "remove breakpoints by number, or all", &Impl::remove_break},
       Verb{"nobreak", 3, "[N...]", "the same", &Impl::remove_break},
       Verb{"history", 1, "[N]", "the last N instructions (20): time, address, word, instruction, word used, AC or A, L or F",
@@ -182,7 +187,8 @@ std::span<const Monitor::Impl::Verb> Monitor::Impl::verbs() {
       Verb{"attach", 2, "DEVICE FILE", "put a file into a device: reader, disk, pen (a script of its positions)", &Impl::attach},
       Verb{"detach", 3, "DEVICE", "take it out; a disk that was written is written back to its file", &Impl::detach},
       Verb{"send", 3, "\"KEYS\"", "type on the console when the program asks for keys in the next runs (\\r \\n \\t \\e \\NNN \\xHH)", &Impl::send},
-      Verb{"expect", 3, "\"TEXT\"", "run until the program has printed the text", &Impl::expect},
+      Verb{"expect", 3, "\"TEXT\" [within TIME]",
+           "run until the program has printed the text; fail after TIME (60s), or earlier if it waits for a key", &Impl::expect},
       Verb{"assert", 3, "EXPRESSION", "fail unless it is true", &Impl::assert_verb},
       Verb{"back", 2, "[N]", "go back N instructions (1), to the state at that time", &Impl::back},
       Verb{"save", 2, "FILE", "save the whole machine as a snapshot", &Impl::save},
@@ -298,7 +304,7 @@ Answer Monitor::Impl::list(std::string_view arguments) {
 }
 
 Answer Monitor::Impl::evaluate_verb(std::string_view arguments) {
-  return {Kind::done, monitor::value(debugger_, read_.value(arguments))};
+  return {Kind::done, debugger_.value_text(read_.value(arguments)) + "\n"};
 }
 
 Answer Monitor::Impl::who_wrote(std::string_view arguments) {
@@ -407,6 +413,19 @@ Answer Monitor::Impl::go(std::string_view arguments) {
   return run({});
 }
 
+Answer Monitor::Impl::start(std::string_view arguments) {
+  const std::uint32_t at = arguments.empty() ? machine_.beginning() : read_.address(arguments);
+  debugger_.reset();
+  debugger_.start(at);
+  return run({});
+}
+
+Answer Monitor::Impl::reset(std::string_view arguments) {
+  if (!arguments.empty()) throw base::usage_error("expected no arguments");
+  debugger_.reset();
+  return note(status());
+}
+
 Answer Monitor::Impl::run_until(std::string_view arguments) {
   return run(read_.goal(arguments));
 }
@@ -447,16 +466,17 @@ Answer Monitor::Impl::send(std::string_view arguments) {
   if (arguments.empty()) throw base::usage_error("expected \"KEYS\", such as \"hello\\r\"");
   const auto keys = plain_text("a text", take_part(arguments));
   if (!keys) throw base::usage_error(keys.error().message());
+  if (!arguments.empty()) throw base::usage_error(fmt::format("found {} after the keys, expected one text; one with blanks is in quotes", arguments));
   debugger_.send(*keys);
   return note(fmt::format("{} {} typed in the next run", keys->size(), keys->size() == 1 ? "key is" : "keys are"));
 }
 
 Answer Monitor::Impl::expect(std::string_view arguments) {
+  if (arguments.empty()) throw base::usage_error("expected \"TEXT\" or \"TEXT\" within TIME, such as expect \"OK\" within 90s");
   const auto text = plain_text("a text", take_part(arguments));
   if (!text) throw base::usage_error(text.error().message());
-  if (text->empty()) throw base::usage_error("expected a text");
-  constexpr std::int64_t most_seconds = 60;
-  const std::int64_t end = machine_.ticks() + most_seconds * machine_.ticks_per_second();
+  const std::int64_t limit = read_.limit(arguments).value_or(60 * machine_.ticks_per_second());
+  const std::int64_t end = machine_.ticks() + std::min(limit, std::numeric_limits<std::int64_t>::max() - machine_.ticks());
   while (true) {
     debugger_.show_printed();
     const std::size_t found = debugger_.printed().find(*text);
@@ -464,13 +484,18 @@ Answer Monitor::Impl::expect(std::string_view arguments) {
       debugger_.forget_printed(found + text->size());
       return {};
     }
-    if (machine_.ticks() >= end || (machine_.waits_for_key() && !debugger_.keys_wait())) {
-      return {Kind::failed, fmt::format("expect: not printed in {} s; printed since the last expect: \"{}\"\n",
-                                        most_seconds, debugger_.printed())};
+    const auto not_printed = [&](std::string_view why) {
+      return Answer{Kind::failed, fmt::format("expect: {}; printed since the last expect: \"{}\"\n", why, debugger_.printed())};
+    };
+    if (machine_.ticks() >= end) {
+      const double seconds = static_cast<double>(limit) / static_cast<double>(machine_.ticks_per_second());
+      return not_printed(fmt::format("not printed in {:g} s", seconds));
     }
-    const Halted halted = debugger_.run({.until = std::min(end, machine_.ticks() + machine_.ticks_per_second() / 50)});
-    const bool stopped = halted.why != Halted::Why::goal;
-    if (stopped && debugger_.printed().find(*text) == std::string::npos) return {Kind::failed, answer_of(halted).text};
+    const Halted halted =
+        debugger_.run({.until = std::min(end, machine_.ticks() + machine_.ticks_per_second() / 50), .ends_in_waiting = true});
+    if (halted.why == Halted::Why::goal || debugger_.printed().find(*text) != std::string::npos) continue;
+    if (halted.stop.name == end_of_input) return not_printed("not printed, and the program waits for a key");
+    return {Kind::failed, answer_of(halted).text};
   }
 }
 

@@ -295,7 +295,7 @@ Json Workbench::assemble(const Json& request) {
   auto assembled = description->assembler.assemble(files, arguments, [&](const std::string& path) -> std::optional<std::string> {
     for (const auto& each : files)
       if (each.name == path) return each.text;
-    const Bytes* const bytes = file(path);
+    const Bytes* const bytes = file(path.substr(path.rfind('/') + 1));  // a page has no folders
     if (bytes == nullptr) return std::nullopt;
     return std::string(bytes->begin(), bytes->end());
   });

@@ -353,14 +353,18 @@ bool take_views(pdp7::Machine& machine, PassWatch& passes, const Program& progra
   pdp7::Limits limits;
   limits.until = core::Instant(order.time_limit);
   pdp7::Counts begun;
+  if (order.film) passes.photograph();
   while (outcome.views.size() < views_of(order)) {
     if (machine.run(limits, watch) != pdp7::StopReason::observer) return false;
     if (watch.has_begun()) {
       begun = machine.counts();
       if (const std::size_t n = outcome.views.size(); n > 0 && n <= order.walk.size()) put_steps(machine, program, order.walk[n - 1]);
-    } else {
-      outcome.views.push_back(view_of(machine, program, watch, begun));
+      continue;
     }
+    outcome.views.push_back(view_of(machine, program, watch, begun));
+    if (!order.film || outcome.views.size() != 1) continue;
+    outcome.film_end = machine.now();
+    outcome.film = passes.take_photograph();
   }
   return !order.display || take_display(machine, watch, passes, order, outcome);
 }

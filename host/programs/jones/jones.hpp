@@ -40,6 +40,7 @@ struct Order {
   int views = 2;
   bool display = true;                        // false: views are computed with no display on the machine
   core::Duration photograph{};                // keep strokes for this long after the last view's first pass
+  bool film = false;                          // keep the strokes of the first view while it is computed
   bool pieces = false;                        // read the line pieces of each view from the machine
   core::Duration time_limit = core::seconds(600);  // emulated
   // Compares the last view with the twin's, word for word, and the eye of each view of a walk. The switches must not change
@@ -79,6 +80,8 @@ struct Outcome {
   core::Duration refresh_period{};       // 0: not observed, as for an empty picture
   std::vector<core::Stroke> photograph;  // strokes up to shutter_close
   core::Instant shutter_close{};
+  std::vector<core::Stroke> film;        // of the first view, from the start of the program
+  core::Instant film_end{};
 
   [[nodiscard]] const View& view() const { return views.back(); }  // the last one
   [[nodiscard]] double refreshes_per_second() const;               // 0: not observed

@@ -13,7 +13,7 @@ namespace {
 std::uint32_t words_of(const assembler::Assembly& assembly, std::string_view name) {
   const auto value = assembly.value_of(name);
   if (!value) base::give_up(fmt::format("the program has no label {}", name));
-  return value->value();
+  return *value;
 }
 
 Labels labels_of(const assembler::Assembly& assembly, const Build& build) {
@@ -62,10 +62,10 @@ base::Result<Program> assemble_program(const scene::CellScene& scene, const Buil
   auto tape = write_tape(scene, eye, kind);
   if (!tape) return tape.error();
   assembler::Options assembler_options;
-  assembler_options.defines.push_back({"EAE", core::Word18(build.eae ? 1 : 0)});
-  assembler_options.defines.push_back({"FRACTION", core::Word18(build.fraction_bits)});
-  assembler_options.defines.push_back({"TRUNCATE", core::Word18(build.truncate ? 1 : 0)});
-  assembler_options.defines.push_back({"WALK", core::Word18(build.walk ? 1 : 0)});
+  assembler_options.defines.push_back({"EAE", build.eae ? 1U : 0U});
+  assembler_options.defines.push_back({"FRACTION", build.fraction_bits});
+  assembler_options.defines.push_back({"TRUNCATE", build.truncate ? 1U : 0U});
+  assembler_options.defines.push_back({"WALK", build.walk ? 1U : 0U});
   const auto assembly = assembler::assemble_pdp7(sources_with(*tape), assembler_options);
   if (!assembly.ok()) base::give_up("the program does not assemble:\n" + all_diagnostics(assembly));
 
@@ -81,7 +81,7 @@ base::Result<Program> assemble_program(const scene::CellScene& scene, const Buil
   program.labels = labels_of(assembly, build);
   program.core.resize(core_words);
   for (const auto& [address, word] : assembly.image.words) program.core[address] = word;
-  for (const auto& symbol : assembly.symbols) program.symbols.emplace(symbol.name, symbol.value.value());
+  for (const auto& symbol : assembly.symbols) program.symbols.emplace(symbol.name, symbol.value);
   auto encoded = encode(scene, eye, program.labels.scene, kind);
   if (!encoded) return encoded.error();
   program.scene = std::move(*encoded);

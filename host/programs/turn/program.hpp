@@ -31,7 +31,7 @@ struct Labels {
   pdp7::Address angle = 0;
   pdp7::Address status = 0;
   pdp7::Address switches = 0;  // sw: switches of the current picture
-  pdp7::Address wait = 0;     // wait1: waits for the display's stop
+  pdp7::Address wait = 0;     // waitlp: waits for the display's stop
   pdp7::Address waited = 0;
   pdp7::Address line = 0;      // vector: a line is drawn (its second word; the first holds the return)
   pdp7::Address junction = 0;  // locate: finds the position of a T-junction for drawing (likewise)

@@ -18,26 +18,36 @@ namespace {
 // Every plane of a face is compared with every corner of the body.
 constexpr std::size_t most_corners = 64;
 
-bool is_convex(const PolyScene& scene, const PolyBody& body) {
-  std::array<VertexIndex, most_corners> vertices;
-  std::size_t count = 0;
-  for (const PolyFace& face : body.faces) {
-    if (count + face.outline.size() > most_corners) return false;
-    for (const VertexIndex v : face.outline) vertices[count++] = v;
-  }
-  // Most are corners of three faces.
-  std::sort(vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(count));
+// The bounds of a convex body that has faces; nullopt for every other one.
+std::optional<PolyBounds> bounds_of_convex(const PolyScene& scene, const PolyBody& body) {
+  std::array<VertexIndex, most_corners> vertices;  // each once: most are corners of three faces
   std::array<geometry::Vector3, most_corners> corners;
   std::size_t different = 0;
-  for (std::size_t i = 0; i < count; ++i)
-    if (i == 0 || vertices[i] != vertices[i - 1]) corners[different++] = geometry::vector_of(scene.vertices[vertices[i]]);
+  std::size_t count = 0;
+  const PolyPoint& first = scene.vertices[body.faces[0].outline[0]];
+  PolyBounds bounds{first, first};
+  for (const PolyFace& face : body.faces) {
+    count += face.outline.size();
+    if (count > most_corners) return std::nullopt;
+    for (const VertexIndex v : face.outline) {
+      const auto end = vertices.begin() + static_cast<std::ptrdiff_t>(different);
+      if (std::find(vertices.begin(), end, v) != end) continue;
+      const PolyPoint& p = scene.vertices[v];
+      for (std::size_t k = 0; k < 3; ++k) {
+        bounds.low[k] = std::min(bounds.low[k], p[k]);
+        bounds.high[k] = std::max(bounds.high[k], p[k]);
+      }
+      vertices[different] = v;
+      corners[different++] = geometry::vector_of(p);
+    }
+  }
   for (const PolyFace& face : body.faces) {
     const auto& ring = face.outline;
     const auto at = [&](std::size_t i) -> const PolyPoint& { return scene.vertices[ring[i % ring.size()]]; };
     geometry::Vector3 normal{};
     for (std::size_t i = 0; i < ring.size() && geometry::is_zero(normal); ++i)
       normal = geometry::normal_of(at(i), at(i + 1), at(i + 2));
-    if (geometry::is_zero(normal)) return false;
+    if (geometry::is_zero(normal)) return std::nullopt;
     const std::int64_t offset = geometry::dot(normal, geometry::vector_of(at(0)));
     bool before = false;
     bool beyond = false;
@@ -46,9 +56,9 @@ bool is_convex(const PolyScene& scene, const PolyBody& body) {
       before = before || side < 0;
       beyond = beyond || side > 0;
     }
-    if (before && beyond) return false;
+    if (before && beyond) return std::nullopt;
   }
-  return true;
+  return bounds;
 }
 
 bool meet(const PolyBounds& a, const PolyBounds& b) {
@@ -57,29 +67,16 @@ bool meet(const PolyBounds& a, const PolyBounds& b) {
   return true;
 }
 
-std::optional<PolyBounds> box_around(const PolyScene& scene, const PolyBody& body) {
-  std::optional<PolyBounds> box;
-  for (const PolyFace& face : body.faces) {
-    for (const VertexIndex v : face.outline) {
-      const PolyPoint& p = scene.vertices[v];
-      if (!box) box = PolyBounds{p, p};
-      for (std::size_t k = 0; k < 3; ++k) {
-        box->low[k] = std::min(box->low[k], p[k]);
-        box->high[k] = std::max(box->high[k], p[k]);
-      }
-    }
-  }
-  return box;
-}
-
 // Around each body that has faces; nullopt if not all bodies are convex.
 std::optional<std::vector<PolyBounds>> boxes_of_convex(const PolyScene& scene, unsigned jobs) {
   std::vector<std::vector<PolyBounds>> parts(jobs);
   std::vector<std::uint8_t> convex(jobs, 1);
   base::for_parts(jobs, scene.bodies.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end && convex[part] != 0; ++b) {
-      convex[part] = is_convex(scene, scene.bodies[b]) ? 1 : 0;
-      if (const auto box = box_around(scene, scene.bodies[b])) parts[part].push_back(*box);
+      if (scene.bodies[b].faces.empty()) continue;
+      const auto bounds = bounds_of_convex(scene, scene.bodies[b]);
+      convex[part] = bounds ? 1 : 0;
+      if (bounds) parts[part].push_back(*bounds);
     }
   });
   if (std::count(convex.begin(), convex.end(), 0) > 0) return std::nullopt;

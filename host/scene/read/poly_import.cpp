@@ -126,7 +126,7 @@ class Import {
           std::int32_t& c = scene().vertices[v][a];
           double& in_file = mesh_.vertices[v][a];
           c = quantised(in_file, q, a);
-          shift[part] = std::max(shift[part], std::abs(q.value_of(std::int64_t{c} + q.origin[a]) - in_file));
+          if (!q.as_it_is) shift[part] = std::max(shift[part], std::abs(q.value_of(std::int64_t{c} + q.origin[a]) - in_file));
           reach[part] = std::max(reach[part], std::abs(in_file));
           in_file -= origin[a];  // what is computed from it has the bits for the size of the scene alone
         }
@@ -196,6 +196,10 @@ class Import {
   std::optional<base::Error> mend_faces() {
     FileFaces file{mesh_.vertices, {}};
     file.starts.reserve(face_count(scene()) + 1);
+    std::size_t corners = 0;
+    for (const PolyBody& body : scene().bodies)
+      for (const PolyFace& face : body.faces) corners += face.outline.size();
+    file.corners.reserve(corners);
     for (const PolyBody& body : scene().bodies)
       for (const PolyFace& face : body.faces) file.add(face.outline);
     std::vector<std::size_t> body_sizes;

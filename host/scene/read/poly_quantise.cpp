@@ -136,7 +136,8 @@ Quantisation quantisation_of(const Vertices& vertices, const std::optional<std::
 }
 
 std::int32_t quantised(double value, const Quantisation& quantisation, std::size_t axis) {
-  return static_cast<std::int32_t>(static_cast<std::int64_t>(steps(value, quantisation.step)) - quantisation.origin[axis]);
+  const double count = quantisation.as_it_is ? value : steps(value, quantisation.step);
+  return static_cast<std::int32_t>(static_cast<std::int64_t>(count) - quantisation.origin[axis]);
 }
 
 }  // namespace sightline::scene

@@ -56,24 +56,33 @@ double float64_precision(std::span<const std::array<double, 3>> vertices) {
 
 void TextPrecision::add(std::string_view written, double value) {
   if (value == 0 || !std::isfinite(value)) return;
+  // A sign, digits, a point and digits, and an exponent.
+  const std::size_t size = written.size();
+  const auto skip_digits = [&](std::size_t i) {
+    while (i < size && written[i] >= '0' && written[i] <= '9') ++i;
+    return i;
+  };
+  const auto skip_zeros = [&](std::size_t i) {
+    while (i < size && written[i] == '0') ++i;
+    return i;
+  };
+  std::size_t first = skip_zeros(written[0] == '-' || written[0] == '+' ? 1 : 0);
+  std::size_t end = skip_digits(first);
+  int digits = static_cast<int>(end - first);
   int decimals = 0;
-  int digits = 0;
+  if (end < size && written[end] == '.') {
+    const std::size_t point = end;
+    if (digits == 0) first = skip_zeros(point + 1);
+    end = skip_digits(digits == 0 ? first : point + 1);
+    decimals = static_cast<int>(end - point - 1);
+    digits = digits == 0 ? static_cast<int>(end - first) : digits + decimals;
+  }
   int exponent = 0;
-  bool point = false;
-  for (std::size_t i = 0; i < written.size(); ++i) {
-    const char c = written[i];
-    if (c >= '0' && c <= '9') {
-      if (digits > 0 || c != '0') ++digits;
-      if (point) ++decimals;
-    } else if (c == '.') {
-      point = true;
-    } else if (c == 'e' || c == 'E') {
-      const bool minus = i + 1 < written.size() && written[i + 1] == '-';
-      for (const char d : written.substr(i + 1))
-        if (d >= '0' && d <= '9' && exponent < 10'000) exponent = 10 * exponent + (d - '0');
-      if (minus) exponent = -exponent;
-      break;
-    }
+  if (end < size && (written[end] == 'e' || written[end] == 'E')) {
+    const std::string_view power = written.substr(end + 1);
+    for (const char d : power)
+      if (d >= '0' && d <= '9' && exponent < 10'000) exponent = 10 * exponent + (d - '0');
+    if (power.starts_with('-')) exponent = -exponent;
   }
   const int last_decimal = std::max(exponent - decimals, -400);
   const Seen seen{last_decimal, digits};

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <tuple>
 
 namespace sightline {
 namespace {
@@ -67,6 +68,51 @@ TEST(AltairSerial, TheNextKeyComesNoSoonerThanTheLineAllows) {
   EXPECT_TRUE(line.serial.wants_key());
   line.serial.type('c');
   EXPECT_FALSE(line.serial.wants_key());
+}
+
+class PollCounter final : public core::KeyPollListener {
+ public:
+  void key_polled() override { ++polls; }
+  int polls = 0;
+};
+
+// A poll is a look at the status or the data that finds no key although none is on its way.
+TEST(AltairSerial, TellsOfPollsInVain) {
+  Line line(AltairBoard::two_sio);
+  PollCounter counter;
+  line.serial.tell_polls(&counter);
+  EXPECT_EQ(line.in(status, 10), 0x02);
+  EXPECT_EQ(line.in(data, 20), 0);
+  EXPECT_EQ(counter.polls, 2);
+  line.serial.type('a');
+  line.serial.type('b');
+  EXPECT_EQ(line.in(status, 30), 0x03);
+  EXPECT_EQ(line.in(data, 40), 'a');
+  EXPECT_EQ(line.in(status, 50), 0x02);  // b is on its way
+  EXPECT_EQ(counter.polls, 2);
+  EXPECT_EQ(line.in(data, 40 + character), 'b');
+  EXPECT_EQ(line.in(status, 50 + character), 0x02);
+  EXPECT_EQ(counter.polls, 3);
+}
+
+TEST(AltairSerial, AnEnabledReceiveInterruptAsksForKeys) {
+  for (const auto& [board, on, off] : {std::tuple{AltairBoard::two_sio, 0x95, 0x15}, std::tuple{AltairBoard::sio, 1, 2}}) {
+    Line line(board);
+    EXPECT_FALSE(line.serial.interrupts_for_key());
+    line.out(status, on, 10);
+    EXPECT_TRUE(line.serial.interrupts_for_key());
+    EXPECT_FALSE(line.serial.wants_key());
+    line.serial.type('a');
+    EXPECT_FALSE(line.serial.interrupts_for_key());
+    EXPECT_EQ(line.in(data, 100), 'a');
+    EXPECT_TRUE(line.serial.interrupts_for_key());
+    EXPECT_EQ(line.serial.quiet_since(), core::at_t_state(100 + character));
+    line.out(data, 'x', 500 + character);
+    line.out(data, 'y', 501 + character);
+    EXPECT_EQ(line.serial.quiet_since(), core::at_t_state(500 + 3 * character));
+    line.out(status, off, 600 + character);
+    EXPECT_FALSE(line.serial.interrupts_for_key());
+  }
 }
 
 TEST(AltairSerial, ACharacterWrittenTooSoonReplacesTheWaitingOne) {

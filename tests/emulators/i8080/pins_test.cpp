@@ -1,77 +1,23 @@
 // INT, READY and HOLD, compared with the gate-level model: random programs, every pin at the end of every T-state.
 #include <gtest/gtest.h>
 
-#include <fstream>
+#include <array>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "tests/emulators/i8080/gate_level_data.hpp"
 #include "tests/emulators/i8080/memory_board.hpp"
 
 namespace sightline {
 namespace {
 
-using Fields = std::vector<std::string>;
-
-struct Program {
-  Fields header;
-  std::vector<Fields> rows;  // inputs, T-state, address, data, flags, status
-  Fields end;                // registers after the last row
-};
-
-std::vector<Program> read_programs() {
-  std::ifstream file(SIGHTLINE_TEST_DATA "/i8080/pins.txt");
-  std::vector<Program> programs;
-  for (std::string text; std::getline(file, text);) {
-    std::istringstream line(text);
-    Fields fields;
-    for (std::string field; line >> field;) fields.push_back(field);
-    if (fields.empty()) continue;
-    if (fields[0] == "CASE") programs.push_back({fields, {}, {}});
-    else if (fields[0] == "END") programs.back().end = fields;
-    else programs.back().rows.push_back(fields);
-  }
-  return programs;
-}
-
-std::uint64_t value_of(const Fields& line, const std::string& key, int base = 16) {
-  for (const std::string& field : line) {
-    if (field.rfind(key + "=", 0) == 0) return std::stoull(field.substr(key.size() + 1), nullptr, base);
-  }
-  ADD_FAILURE() << "no " << key << " in " << line[0];
-  return 0;
-}
-
-i8080::Byte memory_byte(std::uint64_t i, std::uint64_t salt, std::uint64_t bias) {
-  std::uint64_t z = (i + 1) * 0x9E3779B97F4A7C15U ^ salt * 0xBF58476D1CE4E5B9U;
-  z ^= z >> 29;
-  z *= 0x94D049BB133111EBU;
-  z ^= z >> 32;
-  if (bias == 1 && (z >> 40) % 4 == 0) return 0xFB;
-  if (bias == 2 && (z >> 40) % 8 == 0) return 0x76;
-  return static_cast<i8080::Byte>(z);
-}
-
-i8080::State initial_state(const Program& program) {
-  const auto pair = [&](const char* key) { return static_cast<i8080::Address>(value_of(program.header, key)); };
-  i8080::State state;
-  state.pc = pair("pc");
-  state.sp = pair("sp");
-  state.a = static_cast<i8080::Byte>(value_of(program.header, "a"));
-  state.f = static_cast<i8080::Byte>(value_of(program.header, "f"));
-  state.bc = pair("bc");
-  state.de = pair("de");
-  state.hl = pair("hl");
-  state.interrupts_on = value_of(program.header, "inte") != 0;
-  return state;
-}
-
-std::string hexadecimal(unsigned value, int digits) {
-  std::string text;
-  for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4) text += "0123456789ABCDEF"[value >> shift & 15U];
-  return text;
-}
+using tests::Fields;
+using tests::hexadecimal;
+using tests::initial_state;
+using tests::memory_byte;
+using tests::Program;
+using tests::value_of;
 
 // The comparable fields of a row: no address in T4, T5, a halt's or HOLD's floating bus; no floating data.
 std::string comparable(const Fields& row) {
@@ -92,21 +38,6 @@ Fields fields_of(const i8080::PinState& pins) {
           hexadecimal(pins.status, 2)};
 }
 
-// Where the chip has a transparent latch the model knows only one instant per clock phase. If HOLD falls in the T-state in which
-// a
-// cycle ends, the model never starts again: from there on 31 of the programs show only held T-states. Returns true at such a
-// place
-// if the processor under test began its next cycle as the manual says.
-bool model_hangs(const Program& program, const i8080::PinState& found, std::size_t at) {
-  if (at < 2 || found.state != i8080::TState::t1 || program.rows[at - 1][1] == "-") return false;
-  const bool released = program.rows[at - 1][0][2] == '0' && program.rows[at - 2][0][2] == '1';
-  bool silent = true;
-  for (std::size_t i = at; i < program.rows.size(); ++i) {
-    silent = silent && program.rows[i][1] == "-" && program.rows[i][4].find('H') == std::string::npos;
-  }
-  return released && silent;
-}
-
 // `hung` counts the programs of which the model shows only the beginning.
 void expect_same(const Program& program, int& hung) {
   const auto board = std::make_unique<tests::MemoryBoard>();
@@ -122,7 +53,7 @@ void expect_same(const Program& program, int& hung) {
   while (board->rows.size() < program.rows.size()) machine.step();
   const bool settled = board->rows.size() == program.rows.size();
   for (std::size_t i = 0; i < program.rows.size(); ++i) {
-    if (model_hangs(program, board->rows[i], i)) {
+    if (tests::model_hangs(program, board->rows[i].state == i8080::TState::t1, i)) {
       ++hung;
       return;
     }
@@ -136,7 +67,7 @@ void expect_same(const Program& program, int& hung) {
 }
 
 TEST(I8080Pins, EveryTStateOfEveryProgramMatchesTheChip) {
-  const std::vector<Program> programs = read_programs();
+  const std::vector<Program> programs = tests::read_programs();
   ASSERT_EQ(programs.size(), 100U);
   int hung = 0;
   for (const Program& program : programs) {

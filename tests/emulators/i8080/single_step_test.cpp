@@ -3,86 +3,20 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "emulators/machines/i8080.hpp"
+#include "tests/emulators/i8080/gate_level_data.hpp"
 #include "tests/emulators/i8080/memory_board.hpp"
 
 namespace sightline {
 namespace {
 
-struct Cell {
-  unsigned address;
-  unsigned byte;
-};
-
-struct Case {
-  std::string name;
-  std::size_t t_states = 0;
-  bool halts = false;
-  i8080::State initial;
-  i8080::State final;
-  std::vector<Cell> memory_before;
-  std::vector<Cell> memory_after;
-  std::vector<std::string> rows;       // "T ADDRESS DATA FLAGS", address -- where it is undefined
-  std::vector<std::string> transfers;  // "KIND ADDRESS DATA STATUS"
-};
-
-i8080::State read_state(std::istream& line, std::vector<Cell>& memory) {
-  unsigned pc = 0, sp = 0, a = 0, f = 0, bc = 0, de = 0, hl = 0, inte = 0;
-  line >> std::hex >> pc >> sp >> a >> f >> bc >> de >> hl >> inte;
-  Cell cell{};
-  for (char colon = 0; line >> cell.address >> colon >> cell.byte;) memory.push_back(cell);
-  i8080::State state;
-  state.pc = static_cast<i8080::Address>(pc);
-  state.sp = static_cast<i8080::Address>(sp);
-  state.a = static_cast<i8080::Byte>(a);
-  state.f = static_cast<i8080::Byte>(f);
-  state.bc = static_cast<i8080::Address>(bc);
-  state.de = static_cast<i8080::Address>(de);
-  state.hl = static_cast<i8080::Address>(hl);
-  state.interrupts_on = inte != 0;
-  return state;
-}
-
-std::vector<Case> read_cases() {
-  std::ifstream file(SIGHTLINE_TEST_DATA "/i8080/single-step.txt");
-  std::vector<Case> cases;
-  for (std::string text; std::getline(file, text);) {
-    std::istringstream line(text);
-    std::string word;
-    line >> word;
-    if (word == "case") {
-      Case& next = cases.emplace_back();
-      std::string t, halt;
-      line >> next.name >> t >> halt;
-      next.t_states = std::stoul(t.substr(2));
-      next.halts = halt == "halt=1";
-    } else if (word == "initial") {
-      cases.back().initial = read_state(line, cases.back().memory_before);
-    } else if (word == "final") {
-      cases.back().final = read_state(line, cases.back().memory_after);
-    } else if (word[0] >= '0' && word[0] <= '9') {
-      std::string t, address, rest;
-      line >> t >> address;
-      std::getline(line, rest);
-      cases.back().rows.push_back(t + (t == "4" || t == "5" ? " --" : " " + address) + rest);
-    } else {
-      cases.back().transfers.push_back(text);
-    }
-  }
-  return cases;
-}
-
-std::string hexadecimal(unsigned value, int digits) {
-  std::string text;
-  for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4) text += "0123456789ABCDEF"[value >> shift & 15U];
-  return text;
-}
+using tests::Case;
+using tests::Cell;
+using tests::hexadecimal;
 
 std::string row_text(const i8080::PinState& pins) {
   using enum i8080::TState;
@@ -173,7 +107,7 @@ void expect_same(const Case& expected) {
 }
 
 TEST(I8080SingleStep, EveryCaseOfEveryOpcodeMatchesTheChip) {
-  const std::vector<Case> cases = read_cases();
+  const std::vector<Case> cases = tests::read_cases();
   ASSERT_EQ(cases.size(), 256U * 20U);
   for (const Case& one : cases) {
     expect_same(one);

@@ -67,7 +67,7 @@ class Rb09 : public testing::Test {
 
   static std::unique_ptr<pdp7::Rb09> made(const pdp7::rb09::Choices& choices) {
     auto disk = std::make_unique<pdp7::Rb09>(choices);
-    disk->attach(numbered_words(), 7, 0);
+    disk->attach(numbered_words(), 0);
     return disk;
   }
 
@@ -182,7 +182,7 @@ TEST_F(Rb09, WritesAreKeptApartFromTheImage) {
 }
 
 TEST_F(Rb09, ALockedTrackCannotBeWritten) {
-  disk_->attach(numbered_words(), 7, 1U << 3);  // tracks 30 to 39
+  disk_->attach(numbered_words(), 1U << 3);  // tracks 30 to 39
   begin(0, 0x2979, 0, 66, status::busy | status::write);
   EXPECT_EQ(serve().size(), 64U);
   EXPECT_EQ(state(), status::error | status::illegal | status::done | status::write);

@@ -42,6 +42,21 @@ TEST_F(JonesCommand, WritesPicturesAndReportsTheCost) {
   EXPECT_TRUE(has(read("pictures/house.svg"), "<svg"));
 }
 
+TEST_F(JonesCommand, FilmsLinesThatAreAddedAtOnce) {
+  const Ran ran = sightline({"jones", "house", "--immediate", "-o", "pictures"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(has(ran.out, "pictures/house.apng")) << ran.out;
+  EXPECT_TRUE(is_png("pictures/house.apng"));
+  // The number of frames is in the chunk acTL. A view of less than two seconds has 50.
+  const std::string movie = read("pictures/house.apng");
+  const std::size_t chunk = movie.find("acTL");
+  ASSERT_NE(chunk, std::string::npos);
+  const auto frames = static_cast<unsigned char>(movie[chunk + 7]);
+  EXPECT_EQ(frames, 50);
+  ASSERT_EQ(sightline({"jones", "house", "-o", "others"}).exit_code, 0);
+  EXPECT_FALSE(exists("others/house.apng"));
+}
+
 TEST_F(JonesCommand, JsonFields) {
   const json r = report({"roberts"});
   EXPECT_EQ(r.at("schema"), "sightline/jones/1");

@@ -49,13 +49,11 @@ TEST_F(MonitorCommand, AProgramThatRunsIntoEmptyMemoryIsReportedOnce) {
   EXPECT_EQ(ran.err, "sightline: warning: PC 00021: executes memory that is empty: nothing was loaded there\n");
 }
 
-// The manual's 60 seconds are emulated seconds: at most one host second.
 TEST_F(MonitorCommand, AProgramThatOnlyWaitsForAKeyIsEnded) {
   for (const char* const command : {"go", "run"}) {
-    const Ran ran = monitor(std::string(command) + "\nassert time>=60000000000. && time<70000000000.\n");
+    const Ran ran = monitor(std::string(command) + "\nassert time<5000000000.\n");
     EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
-    EXPECT_NE(ran.out.find("the program has asked for a key for 60 s of its time, and there is none: `send` types keys"), std::string::npos)
-        << ran.out;
+    EXPECT_NE(ran.out.find("the program waits for a key, and there is none: `send` types keys"), std::string::npos) << ran.out;
     EXPECT_NE(ran.out.find("stopped by end of input"), std::string::npos) << ran.out;
   }
   EXPECT_NE(monitor("send \"x\"\ngo\n").out.find("stopped by halt"), std::string::npos);

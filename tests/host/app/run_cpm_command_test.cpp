@@ -99,6 +99,39 @@ TEST_F(CpmCommand, BiosKeysComeFromTheConsole) {
   EXPECT_EQ(ran.out, "kk");
 }
 
+// An empty text is typed and waited for in no time; an empty path is an error as ever.
+TEST_F(CpmCommand, ATextMayBeEmpty) {
+  assemble("\tORG 100H\n\tMVI C,1\n\tCALL 5\n\tMVI C,1\n\tCALL 5\n\tJMP 0\n");
+  const Ran ran = run({"--console", "ascii", "--cpm-args", "", "--expect", "", "--send", "", "--send", "a", "--expect", "a", "--expect", "", "--send", "b"});
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(ran.out, "ab");
+  EXPECT_EQ(run({"--console", "ascii", "--expect", ""}).exit_code, 0);
+  EXPECT_EQ(run({"--console", ""}).exit_code, 2);
+  EXPECT_EQ(run({"--console", "ascii", "--dump", ""}).exit_code, 2);
+}
+
+// The program polls with another count in BC each time.
+TEST_F(CpmCommand, AnExpectHasItsOwnLimit) {
+  assemble("\tORG 100H\n\tMVI E,'x'\n\tMVI C,2\n\tCALL 5\nLOOP:\tINX H\n\tPUSH H\n\tMVI C,11\n\tCALL 5\n\tPOP H\n\tJMP LOOP\n");
+  const Ran ran = run({"--console", "ascii", "--expect", "x", "--within", "5", "--expect", "y", "--within", "2.5"});
+  EXPECT_EQ(ran.exit_code, 3);
+  EXPECT_EQ(ran.out, "x");
+  EXPECT_TRUE(has(ran.err, "--expect \"y\": --within 2.5 is over, and the text was not printed; printed since the last match: \"\"")) << ran.err;
+  EXPECT_TRUE(has(ran.err, "emulated time   2.5")) << ran.err;
+  for (const auto& [words, why] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"--within", "5", "--expect", "x"}, "--within 5: found no --expect before it, expected the one that it limits"},
+           {{"--send", "x", "--within", "5"}, "found no --expect before it"},
+           {{"--expect", "x", "--within", "5", "--within", "6"}, "--within 6: found no --expect before it"},
+           {{"--expect", "x", "--within", "soon"}, "--within: found \"soon\", expected seconds of emulated time, such as 90 or 0.5"},
+           {{"--expect", "x", "--within", "1x"}, "--within: found \"1x\""}}) {
+    std::vector<std::string> all{"--console", "ascii"};
+    all.insert(all.end(), words.begin(), words.end());
+    const Ran wrong = run(all);
+    EXPECT_EQ(wrong.exit_code, 2) << why;
+    EXPECT_TRUE(has(wrong.err, why)) << wrong.err;
+  }
+}
+
 TEST_F(CpmCommand, SteppingBackLeavesTheFilesAndGivesTheSameAnswers) {
   // Deletes A:GONE, stores the result at 200, then appends a record to A:LOG. If this ran again, the deletion would fail and the
   // record

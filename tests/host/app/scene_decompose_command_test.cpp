@@ -32,6 +32,24 @@ TEST_F(SceneDecomposeCommand, CountsAndFileAgree) {
   EXPECT_EQ(sightline({"scene", "decompose", "roberts", "-o", "-"}).out, read("cells.json"));
 }
 
+TEST_F(SceneDecomposeCommand, DrawsTheCells) {
+  const Ran own = sightline({"scene", "decompose", "house", "-o", "house.svg", "--json"});
+  ASSERT_EQ(own.exit_code, 0) << own.err;
+  EXPECT_EQ(json::parse(own.out).at("method"), "own");
+  EXPECT_EQ(json::parse(own.out).at("cells"), 3);
+  for (const char* layer : {"portals", "lines of the scene", "numbers"}) EXPECT_TRUE(has(read("house.svg"), layer)) << layer;
+  const Ran decomposed = sightline({"scene", "decompose", "house", "--method", "grid", "-o", "house.pdf", "--json"});
+  ASSERT_EQ(decomposed.exit_code, 0) << decomposed.err;
+  EXPECT_EQ(json::parse(decomposed.out).at("method"), "grid");
+  EXPECT_TRUE(read("house.pdf").starts_with("%PDF"));
+  ASSERT_EQ(sightline({"scene", "decompose", "boxes-2", "-o", "boxes.png"}).exit_code, 0);
+  EXPECT_TRUE(read("boxes.png").starts_with("\x89PNG"));
+  const Ran many = sightline({"scene", "decompose", "boxes-300", "-o", "many.svg"});
+  EXPECT_EQ(many.exit_code, 2);
+  EXPECT_TRUE(has(many.err, "expected at most 400 for diagrams")) << many.err;
+  EXPECT_FALSE(exists("many.svg"));
+}
+
 TEST_F(SceneDecomposeCommand, CellsAreDrawnWithoutTheScene) {
   ASSERT_EQ(sightline({"scene", "decompose", "boxes-2", "-o", "b.cells.json"}).exit_code, 0);
   for (const char* algorithm : {"jones", "exact"}) {

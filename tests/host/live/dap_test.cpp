@@ -258,7 +258,7 @@ TEST_F(DapSteps, ThePdp7RunsForwardAndBack) {
   EXPECT_EQ(answer("setVariable", 1).at("success"), false);
   // 200111 is 010111 in hexadecimal; the first five of its bytes and the next word's.
   EXPECT_EQ(answer("readMemory").at("body").at("data"), "SQABAEU=");
-  EXPECT_EQ(answer("evaluate").at("body").at("result"), "601001 = 197121.");
+  EXPECT_EQ(answer("evaluate").at("body").at("result"), "601001 = 197121. = -65023. as a word with a sign");
   const json rows = answer("disassemble").at("body").at("instructions");
   EXPECT_EQ(rows[0].at("address"), "0x3F");
   EXPECT_EQ(rows[1].at("line"), 2);
@@ -406,7 +406,7 @@ TEST_F(DapSteps, TheConsoleTakesTheVerbsOfTheMonitor) {
   EXPECT_EQ(registers(0, {"PC", "AC"}), "PC=00106 AC=000003");
   EXPECT_EQ(result(1), "00104 740040  begin+4: hlt");
   EXPECT_EQ(result(2).substr(0, 8), "PC 00106");
-  EXPECT_EQ(result(3), "000004 = 4.");
+  EXPECT_EQ(result(3), "4 = 4.");
   ASSERT_EQ(events("breakpoint").size(), 1U);
   EXPECT_EQ(events("breakpoint")[0].at("reason"), "removed");
   EXPECT_EQ(result(6), "7 = 7.");
@@ -468,7 +468,7 @@ TEST_F(DapSteps, ExpressionsAreSetAndCompleted) {
   EXPECT_EQ(answer("setExpression", 1).at("body").at("value"), "000020");
   EXPECT_EQ(answer("setExpression", 2).at("success"), false);
   EXPECT_EQ(answer("setExpression", 3).at("success"), false);
-  EXPECT_EQ(answer("evaluate").at("body").at("result"), "000020 = 16.");
+  EXPECT_EQ(answer("evaluate").at("body").at("result"), "20 = 16. = plan+11");
   std::string labels;
   const json targets = answer("completions").at("body").at("targets");
   for (const json& each : targets) labels += each.at("label").get<std::string>() + " ";
@@ -490,7 +490,268 @@ TEST_F(Dap, TheRadixIsAnOption) {
   request("evaluate", {{"expression", "begin+1"}});
   request("disconnect");
   hold();
-  EXPECT_EQ(answer("evaluate").at("body").at("result"), "00041 = 65.");
+  EXPECT_EQ(answer("evaluate").at("body").at("result"), "41 = 65. = begin+1");
+}
+
+// Without asAddress a name denotes a variable: [200] is the word at 200, whatever it contains; with asAddress its value is the address.
+TEST_F(DapSteps, DataBreakpointsOnWordsInBrackets) {
+  const std::vector<std::pair<json, json>> cases{
+      {{{"name", "[200]"}}, "0x200"},
+      {{{"name", "200"}}, "0x200"},
+      {{{"name", " [ 1FF + 1 ] "}}, "0x200"},
+      {{{"name", "[[200]]"}}, "0x7"},
+      {{{"name", "[TABLE]"}}, "0x200"},
+      {{{"name", "table+1"}}, "0x201"},
+      {{{"name", "[hl]"}}, "0x0"},
+      {{{"name", "[200]"}, {"asAddress", true}}, "0x7"},
+      {{{"name", "b"}, {"asAddress", true}}, "0x0"},
+      {{{"name", "0x200"}, {"asAddress", true}, {"bytes", 3}}, "0x200-0x202"},
+      {{{"name", "[200]"}, {"bytes", 2}}, "0x200-0x201"},
+      {{{"name", "0FFFF"}, {"asAddress", true}, {"bytes", 100}}, "0xFFFF"},
+      {{{"name", "hl"}}, nullptr},
+      {{{"name", "b"}}, nullptr},
+      {{{"name", "[200"}}, nullptr},
+      {{{"name", "[10000]"}}, nullptr},
+      {{{"name", "[200]*[200]*10000"}}, nullptr},
+      {{{"name", ""}}, nullptr}};
+  request("initialize");
+  request("launch", {{"stopOnEntry", true}});
+  request("configurationDone");
+  for (const auto& [arguments, id] : cases) request("dataBreakpointInfo", arguments);
+  request("setDataBreakpoints", {{"breakpoints", {{{"dataId", "0x200"}, {"accessType", "write"}, {"hitCondition", ">=2"}},
+                                                  {{"dataId", "0x300-0x302"}, {"accessType", "write"}},
+                                                  {{"dataId", "0x300-0x2FF"}}, {{"dataId", "0x200-"}}, {{"dataId", "[200]"}}}}});
+  request("continue");  // to the word 302
+  look();
+  request("continue");  // to the second write of TABLE
+  look();
+  request("disconnect");
+  hold_with([](const json&) {
+    return launch_i8080("\tORG 100H\n\tMVI A,9\n\tSTA 302H\n\tSTA 303H\n\tSTA TABLE\n\tINR A\n\tSTA TABLE\n\tHLT\n\tORG 200H\nTABLE:\tDB 7\n");
+  });
+  for (std::size_t n = 0; n < cases.size(); ++n) EXPECT_EQ(answer("dataBreakpointInfo", n).at("body").at("dataId"), cases[n].second) << cases[n].first;
+  EXPECT_EQ(answer("dataBreakpointInfo", 0).at("body").at("description"), "word at 0200 TABLE");
+  const json set = answer("setDataBreakpoints").at("body").at("breakpoints");
+  EXPECT_EQ(set[0].at("verified"), true);
+  EXPECT_EQ(set[1].at("verified"), true);
+  for (std::size_t n = 2; n < 5; ++n) EXPECT_EQ(set[n].at("verified"), false) << n;
+  EXPECT_EQ(registers(0, {"PC"}), "PC=0105");
+  EXPECT_EQ(registers(1, {"PC"}), "PC=010F");
+  EXPECT_EQ(answer("initialize").at("body").at("supportsDataBreakpointBytes"), true);
+}
+
+// The same text as the monitor's `evaluate`.
+TEST_F(DapSteps, AHoverShowsAllFormsOfAValue) {
+  request("initialize");
+  request("launch", {{"stopOnEntry", true}});
+  request("configurationDone");
+  for (const char* const each : {"LOOP", "loop+3", "b", "0FEH", "loop-109", "[loop]", "0FFFF+1", "b b"})
+    request("evaluate", {{"expression", each}, {"context", "hover"}});
+  for (const char* const each : {"evaluate LOOP", "evaluate loop+3", "evaluate b"}) request("evaluate", {{"expression", each}, {"context", "repl"}});
+  request("disconnect");
+  hold_with([](const json&) { return launch_i8080("\tORG 100H\n\tDS 8\nLOOP:\tMVI B,10\n\tJMP LOOP\n"); });
+  const std::vector<std::string> expected{"108 = 264. = LOOP", "10B = 267. = LOOP+3", "0 = 0.", "FE = 254. = -2. as a word with a sign",
+                                          "FFFFFFFFFFFFFFFF = -1.", "6 = 6.", "10000 = 65536."};
+  for (std::size_t n = 0; n < expected.size(); ++n) EXPECT_EQ(answer("evaluate", n).at("body").at("result"), expected[n]);
+  EXPECT_EQ(answer("evaluate", 0).at("body").at("memoryReference"), "0x108");
+  EXPECT_EQ(answer("evaluate", 7).at("success"), false);
+  for (std::size_t n = 0; n < 3; ++n) EXPECT_EQ(answer("evaluate", 8 + n).at("body").at("result"), expected[n]);
+}
+
+// A loop that counts B from 1 to 5: the values of B at the stops.
+TEST_F(DapSteps, HitConditionsAreComparedWithTheNumberOfMatches) {
+  const auto stops = [this](const std::string& count) {
+    script_.clear();
+    sequence_ = 0;
+    request("initialize");
+    request("launch");
+    request("setInstructionBreakpoints", {{"breakpoints", {{{"instructionReference", "0x103"}, {"hitCondition", count}}}}});
+    request("configurationDone");
+    for (int n = 0; n < 6; ++n) {
+      look();
+      request("continue");
+    }
+    request("disconnect");
+    hold_with([](const json&) { return launch_i8080("\tORG 100H\n\tMVI B,0\nLOOP:\tINR B\n\tMOV A,B\n\tCPI 5\n\tJNZ LOOP\n\tHLT\n"); });
+    const json set = answer("setInstructionBreakpoints").at("body").at("breakpoints").at(0);
+    if (set.at("verified") == false) return set.at("message").get<std::string>();
+    std::string found;
+    std::size_t at = 0;
+    for (const json& body : events("stopped")) {
+      if (body.at("reason") != "breakpoint") break;
+      const std::string b = registers(at++, {"B"});
+      found += b.substr(b.size() - 1);
+    }
+    return found;
+  };
+  EXPECT_EQ(stops("1"), "12345");
+  EXPECT_EQ(stops("2"), "24");
+  EXPECT_EQ(stops("%2"), "24");
+  EXPECT_EQ(stops("% 3"), "3");
+  EXPECT_EQ(stops(">=3"), "345");
+  EXPECT_EQ(stops(" > 3 "), "45");
+  EXPECT_EQ(stops("<3"), "12");
+  EXPECT_EQ(stops("<=3"), "123");
+  EXPECT_EQ(stops("=4"), "4");
+  EXPECT_EQ(stops("== 4"), "4");
+  EXPECT_EQ(stops(">=0"), "12345");
+  EXPECT_EQ(stops("%0"), "found count %0, expected 1 or more: the first time has number 1");
+  EXPECT_EQ(stops("<1"), "found count <1, expected 2 or more: the first time has number 1");
+  for (const char* const wrong : {"=>3", ">", "3x", "%2%", "-1", "0x3", "99999999999999999999"})
+    EXPECT_NE(stops(wrong).find("expected a decimal count"), std::string::npos) << wrong;
+}
+
+TEST_F(DapSteps, LogpointsPrintAndDoNotStop) {
+  request("initialize");
+  request("launch");
+  request("setBreakpoints", {{"source", {{"path", "p.asm"}}},
+                             {"breakpoints", {{{"line", 4}, {"logMessage", "b={b} at {pc} {{loop}} {[1]/0}"}, {"hitCondition", "%2"}},
+                                              {{"line", 5}, {"logMessage", "{b"}},
+                                              {{"line", 5}, {"logMessage", "b}"}},
+                                              {{"line", 5}, {"logMessage", "{nobody}"}},
+                                              {{"line", 7}}}}});
+  request("setDataBreakpoints", {{"breakpoints", {{{"dataId", "0x200"}, {"logMessage", "now {[200]}"}, {"condition", "[200]==3"}}}}});
+  request("configurationDone");
+  look();
+  request("reverseContinue");
+  look();
+  request("disconnect");
+  hold_with([](const json&) {
+    return launch_i8080("\tORG 100H\n\tLXI H,200H\nLOOP:\tINR B\n\tMOV M,B\n\tMVI A,5\n\tCMP B ! JNZ LOOP\n\tNOP\n\tHLT\n");
+  });
+  EXPECT_EQ(answer("initialize").at("body").at("supportsLogPoints"), true);
+  const json set = answer("setBreakpoints").at("body").at("breakpoints");
+  EXPECT_EQ(set[0].at("verified"), true);
+  EXPECT_EQ(set[1].at("message"), "found { alone, expected an expression in braces, such as {pc}; {{ and }} print a brace");
+  EXPECT_EQ(set[2].at("verified"), false);
+  EXPECT_NE(set[3].at("message").get<std::string>().find("found \"nobody\""), std::string::npos);
+  std::string printed;
+  for (const json& body : events("output"))
+    if (body.at("category") == "console") printed += body.at("output").get<std::string>();
+  const std::string division = " {loop} (found a division by 0, expected a divisor other than 0)\n";
+  EXPECT_EQ(printed, "b=02 at 0104" + division + "now 03\n" + "b=04 at 0104" + division);
+  EXPECT_EQ(registers(0, {"PC", "B"}), "B=05 PC=010B");
+  // Back past the logpoints to the beginning.
+  EXPECT_EQ(registers(1, {"PC", "B"}), "B=00 PC=0100");
+}
+
+TEST_F(DapSteps, ThePlacesOfASource) {
+  request("initialize");
+  request("launch", {{"stopOnEntry", true}});
+  request("configurationDone");
+  request("loadedSources");
+  request("breakpointLocations", {{"source", {{"path", "p.s"}}}, {"line", 2}, {"endLine", 6}});
+  request("breakpointLocations", {{"source", {{"path", "p.s"}}}, {"line", 4}});
+  request("breakpointLocations", {{"source", {{"path", "other.s"}}}, {"line", 1}, {"endLine", 100}});
+  request("gotoTargets", {{"source", {{"path", "p.s"}}}, {"line", 5}});
+  request("gotoTargets", {{"source", {{"path", "p.s"}}}, {"line", 100}});
+  request("goto", {{"threadId", 1}, {"targetId", 0103}});
+  look();
+  request("next");
+  look();
+  request("goto", {{"threadId", 1}, {"targetId", -1}});
+  request("goto", {{"threadId", 1}, {"targetId", 1000000}});
+  request("goto", {{"threadId", 1}});
+  request("stepBack");
+  look();
+  request("disconnect");
+  hold_with([](const json&) { return launch_pdp7("100/\nbegin, lac (3\n  lac (4\n\n\n  lac (5\n  hlt\n  start begin\n"); });
+  const json sources = answer("loadedSources").at("body").at("sources");
+  ASSERT_EQ(sources.size(), 1U);
+  EXPECT_EQ(sources[0].at("name"), "p.s");
+  EXPECT_EQ(answer("breakpointLocations", 0).at("body").at("breakpoints"), json::array({{{"line", 2}}, {{"line", 3}}, {{"line", 6}}}));
+  EXPECT_EQ(answer("breakpointLocations", 1).at("body").at("breakpoints"), json::array());
+  EXPECT_EQ(answer("breakpointLocations", 2).at("body").at("breakpoints"), json::array());
+  const json target = answer("gotoTargets", 0).at("body").at("targets").at(0);
+  EXPECT_EQ(target.at("line"), 6);
+  EXPECT_EQ(target.at("id"), 0102);
+  EXPECT_EQ(target.at("instructionPointerReference"), "0x42");
+  EXPECT_EQ(answer("gotoTargets", 1).at("body").at("targets"), json::array());
+  EXPECT_EQ(registers(0, {"PC", "AC"}), "PC=00103 AC=000000");
+  for (std::size_t n = 1; n < 4; ++n) EXPECT_EQ(answer("goto", n).at("success"), false) << n;
+  std::string reasons;
+  for (const json& body : events("stopped")) reasons += body.at("reason").get<std::string>() + " ";
+  EXPECT_EQ(reasons.substr(0, 11), "entry goto ");
+}
+
+// Lines with an address but without code are no places: ORG, labels alone, EQU and DS.
+TEST_F(DapSteps, LinesWithoutCodeOfThe8080) {
+  request("initialize");
+  request("launch", {{"stopOnEntry", true}});
+  request("configurationDone");
+  request("stackTrace");
+  request("breakpointLocations", {{"source", {{"path", "p.asm"}}}, {"line", 1}, {"endLine", 9}});
+  request("setBreakpoints", {{"source", {{"path", "p.asm"}}}, {"breakpoints", {{{"line", 1}}, {{"line", 3}}, {{"line", 5}}, {{"line", 9}}}}});
+  request("gotoTargets", {{"source", {{"path", "p.asm"}}}, {"line", 3}});
+  request("disconnect");
+  hold_with([](const json&) {
+    return launch_i8080("\tORG 100H\nX:\nY\tEQU 7\nL:\tNOP\n\tDS 3\nM:\n\tNOP\nT:\tDB 1,2,3,4,5,6,7\n\tEND\n");
+  });
+  EXPECT_EQ(answer("stackTrace").at("body").at("stackFrames").at(0).at("line"), 4);
+  EXPECT_EQ(answer("breakpointLocations").at("body").at("breakpoints"), json::array({{{"line", 4}}, {{"line", 7}}, {{"line", 8}}}));
+  const json set = answer("setBreakpoints").at("body").at("breakpoints");
+  EXPECT_EQ(set[0].at("instructionReference"), "0x100");
+  EXPECT_EQ(set[1].at("line"), 4);
+  EXPECT_EQ(set[2].at("line"), 7);
+  EXPECT_EQ(set[2].at("instructionReference"), "0x104");
+  EXPECT_EQ(set[3].at("verified"), false);
+  EXPECT_EQ(answer("gotoTargets").at("body").at("targets").at(0).at("id"), 0x100);
+}
+
+// Bytes outside memory are not written, and bytes of a word that are not written keep their value.
+TEST_F(DapSteps, WritesOfAFewBytes) {
+  begin();
+  request("writeMemory", {{"memoryReference", "0xFFFE"}, {"data", "AQIDBA=="}});
+  request("readMemory", {{"memoryReference", "0xFFFE"}, {"count", 2}});
+  request("writeMemory", {{"memoryReference", "0xFFFE"}, {"data", "AQIDBA=="}, {"allowPartial", true}});
+  request("readMemory", {{"memoryReference", "0xFFFE"}, {"count", 4}});
+  request("writeMemory", {{"memoryReference", "0x10000"}, {"data", "AQ=="}, {"allowPartial", true}});
+  request("writeMemory", {{"memoryReference", "0x200"}, {"data", ""}});
+  request("disconnect");
+  hold_with([](const json&) { return launch_i8080("\tORG 100H\n\tHLT\n"); });
+  EXPECT_EQ(answer("writeMemory", 0).at("message"), "found 4 bytes, expected at most 2: memory ends there; allowPartial writes these");
+  EXPECT_EQ(answer("writeMemory", 1).at("body").at("bytesWritten"), 2);
+  EXPECT_EQ(answer("readMemory", 1).at("body").at("data"), "AQI=");
+  EXPECT_EQ(answer("readMemory", 1).at("body").at("unreadableBytes"), 2);
+  EXPECT_EQ(answer("writeMemory", 2).at("success"), false);
+  EXPECT_EQ(answer("writeMemory", 3).at("body").at("bytesWritten"), 0);
+}
+
+TEST_F(DapSteps, WritesOfAFewBytesOfAWord) {
+  begin();
+  request("writeMemory", {{"memoryReference", "0x81"}, {"offset", -3}, {"data", "/////w=="}});  // 4 bytes from byte 1 of 200
+  request("evaluate", {{"expression", "[200]"}});
+  request("evaluate", {{"expression", "[201]"}});
+  request("evaluate", {{"expression", "[202]"}});
+  request("readMemory", {{"memoryReference", "0x80"}, {"offset", 1}, {"count", 5}});
+  request("writeMemory", {{"memoryReference", "0x1FFF"}, {"offset", 3}, {"data", "AAEC"}, {"allowPartial", true}});
+  request("disconnect");
+  hold_with([](const json&) { return launch_pdp7("100/\nbegin, hlt\n200/ 123456\n 654321\n  start begin\n"); });
+  const auto result = [this](std::size_t n) { return answer("evaluate", n).at("body").at("result").get<std::string>().substr(0, 6); };
+  EXPECT_EQ(result(0), "777456");  // 123456 is 00A72E in hexadecimal: the byte 2E stays
+  EXPECT_EQ(result(1), "654377");  // 654321 is 0358D1: only its lowest byte becomes FF
+  EXPECT_EQ(result(2), "0 = 0.");
+  EXPECT_EQ(answer("readMemory").at("body").at("data"), "/wMA/1g=");
+  EXPECT_EQ(answer("writeMemory", 1).at("body").at("bytesWritten"), 1);
+}
+
+// A .SYM file of MAC or LINK for a program without its source.
+TEST_F(Dap, SymbolsOfASymFile) {
+  write("p.hex", ":03010000C3080130\n:00000001FF\n");
+  write("P.SYM", "0100 START\t0108 LOOP\r\n\x1A\x1A\x1A");
+  write("BAD.SYM", "0100 START\r\n01X8 LOOP\r\n");
+  request("initialize");
+  request("launch", {{"machine", "i8080"}, {"program", path("p.hex").string()}, {"options", {{"symbols", path("BAD.SYM").string()}}}});
+  request("launch", {{"machine", "i8080"}, {"program", path("p.hex").string()}, {"stopOnEntry", true}, {"options", {{"start", "100"}, {"symbols", path("P.SYM").string()}}}});
+  request("configurationDone");
+  request("evaluate", {{"expression", "loop"}, {"context", "hover"}});
+  request("stackTrace");
+  request("disconnect");
+  hold();
+  EXPECT_NE(answer("launch", 0).at("message").get<std::string>().find("BAD.SYM: line 2: found \"01X8 LOOP\", expected an address of four"), std::string::npos)
+      << answer("launch", 0);
+  EXPECT_EQ(answer("evaluate").at("body").at("result"), "108 = 264. = LOOP");
+  EXPECT_EQ(answer("stackTrace").at("body").at("stackFrames").at(0).at("name"), "START");
 }
 
 // The system of disk_test.cpp, through messages.
@@ -529,13 +790,16 @@ TEST_F(DapSteps, RequestsWithAnyContentAreAnswered) {
   const std::vector<std::string> names{"setBreakpoints", "setFunctionBreakpoints", "setInstructionBreakpoints", "dataBreakpointInfo",
                                        "setDataBreakpoints", "next", "stepIn", "stepOut", "stepBack", "reverseContinue", "pause",
                                        "threads", "stackTrace", "scopes", "variables", "setVariable", "evaluate", "readMemory",
-                                       "writeMemory", "disassemble", "setExpression", "completions", "nonsense", "launch", "configurationDone"};
+                                       "writeMemory", "disassemble", "setExpression", "completions", "nonsense", "launch", "configurationDone",
+                                       "breakpointLocations", "loadedSources", "gotoTargets", "goto"};
   const std::vector<json> values{1, -1, 0, 1e300, "x", "0x40", "0xFFFFFFFFFFFF", nullptr, true, json::array({1, 2}), json::object(),
                                  9223372036854775807, "ac+", "AAAA", "====", json::array({json::object()}),
-                                 json::array({{{"line", 3}, {"condition", "("}, {"hitCondition", "0"}}})};
+                                 json::array({{{"line", 3}, {"condition", "("}, {"hitCondition", "0"}}}),
+                                 json::array({{{"line", 3}, {"logMessage", "{ac} {"}, {"hitCondition", ">=1"}}})};
   const std::vector<std::string> keys{"line", "source", "breakpoints", "name", "memoryReference", "offset", "count", "data", "expression",
                                       "variablesReference", "value", "instructionCount", "instructionOffset", "startFrame", "levels",
-                                      "dataId", "accessType", "instructionReference", "context", "text", "column", "granularity"};
+                                      "dataId", "accessType", "instructionReference", "context", "text", "column", "granularity",
+                                      "allowPartial", "targetId", "endLine", "bytes", "asAddress"};
   begin();
   for (int round = 0; round < tests::effort(400, 100); ++round) {
     json arguments = json::object();

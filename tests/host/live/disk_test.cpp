@@ -168,7 +168,36 @@ TEST_F(Disk, ATransferContinuesFromASnapshot) {
   write("other", image_);
   const Ran other = sightline({"run", "pdp7", "--restore", "s", "--disk", "other"});
   EXPECT_EQ(other.exit_code, 4);
-  EXPECT_NE(other.err.find("the number of the disk that is attached"), std::string::npos) << other.err;
+  EXPECT_NE(other.err.find("found another medium, expected the disk image of the run that made the snapshot"), std::string::npos) << other.err;
+}
+
+// A snapshot holds what its run has written: the image may be the one before that run, or the one that it has written back, but
+// no sector that the run has not written may be another.
+TEST_F(Disk, ASnapshotTakesTheImageThatItsRunHasWrittenBack) {
+  // Writes a sector again and again, each time with a word that is one more.
+  write("writes.s",
+        "100/\nbegin, isz 3000\n  707141\n  lac (777700\n  707124\n  cla\n  707142\n  707104\n  lac (3000\n  707144\n  707121\n"
+        "  jmp .-1\n  jmp begin\n  start begin\n");
+  ASSERT_EQ(sightline({"asm", "pdp7", "writes.s", "-o", "writes.rim"}).exit_code, 0);
+  const Ran first = sightline({"run", "pdp7", "writes.rim", "--disk", "disk", "--max-time", "0.3", "--save", "s"});
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  const std::string written = read("disk");
+  ASSERT_TRUE(written != image_);
+  const auto restored = [this](const std::string& image) {
+    write("copy", image);
+    const Ran ran = sightline({"run", "pdp7", "--restore", "s", "--disk", "copy", "--max-time", "0.3", "--dump", "d"});
+    return ran.exit_code == 0 ? read("d") + read("copy") : ran.err;
+  };
+  const std::string from_before = restored(image_);
+  EXPECT_TRUE(restored(written) == from_before);
+  ASSERT_EQ(sightline({"run", "pdp7", "writes.rim", "--disk", "disk", "--max-time", "0.6"}).exit_code, 0);
+  EXPECT_TRUE(restored(read("disk")) == from_before);  // a later content of the same sector
+  // Two other words are exchanged: each is as valid as before.
+  std::string exchanged = written;
+  for (unsigned n = 0; n < 4; ++n) std::swap(exchanged[4 * 8000 + n], exchanged[4 * (180 * words_per_track) + n]);
+  ASSERT_TRUE(exchanged != written);
+  EXPECT_NE(restored(exchanged).find("found another medium"), std::string::npos);
+  EXPECT_EQ(read("copy"), exchanged);
 }
 
 TEST_F(Disk, DamagedImagesAreErrors) {

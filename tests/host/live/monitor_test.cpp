@@ -102,7 +102,7 @@ TEST(Expression, ReportsErrors) {
 
 class Session {
  public:
-  // Nobody types within the patience, if there is one.
+  // Nobody interrupts a run, but the patience, if there is one.
   Session(const machines::MachineDescription& description, MachineRun of, live::Symbols symbols, std::optional<std::int64_t> patience = {})
       : patience_(patience),
         prepared_([&of] {
@@ -129,7 +129,7 @@ class Session {
  private:
   live::MonitorHost host() {
     live::MonitorHost host = patient_host();
-    host.running.nobody_types = patience_.has_value();
+    host.running.nobody_interrupts = patience_.has_value();
     host.running.patience = patience_.value_or(host.running.patience);
     return host;
   }
@@ -151,6 +151,7 @@ class Session {
             },
              [this] { return most_slices == 0; },
              [this](std::string_view text) { printed += text; },
+             false,
              false,
              60},
             [this](const std::string& path) -> base::Result<machines::Input> {
@@ -270,6 +271,38 @@ TEST(MonitorPdp7, BreaksIfAndAfterACount) {
   s("break 100000", Kind::wrong);
 }
 
+TEST(MonitorPdp7, BreaksAtCountsByComparison) {
+  const auto stops = [](const std::string& count) {
+    auto m = pdp7_session("begin,  lac (0\n tad (1\n sad (6\n hlt\n jmp begin+1\n start begin\n");  // AC is 1 to 6 at 102
+    Session& s = *m;
+    s("break 102 count " + count);
+    std::string found;
+    for (int n = 0; n < 7 && s("continue").starts_with("breakpoint"); ++n) found += s("e ac").substr(8, 1);
+    return found;
+  };
+  EXPECT_EQ(stops("2"), "246");
+  EXPECT_EQ(stops("%2"), "246");
+  EXPECT_EQ(stops(">=5"), "56");
+  EXPECT_EQ(stops("> 5"), "6");
+  EXPECT_EQ(stops("<3"), "12");
+  EXPECT_EQ(stops("<= 2"), "12");
+  EXPECT_EQ(stops("=3"), "3");
+}
+
+TEST(MonitorPdp7, BreakpointsPrintInsteadOfStopping) {
+  auto m = pdp7_program();
+  Session& s = *m;
+  s("break store+1 log \"ac is {ac} if count; {{}} # {place}\"");
+  s("break when ac==5 log \"five\"");
+  EXPECT_TRUE(s("show breaks").starts_with("1: store+1 log \"ac is {ac} if count; {{}} # {place}\", passed 0 times\n"));
+  EXPECT_EQ(s("continue").substr(0, 16), "stopped by halt\n");
+  EXPECT_EQ(s.printed, "ac is 000003 if count; {} # 000110\nfive\nac is 000005 if count; {} # 000110\n");
+  auto other = pdp7_program();
+  (*other)("watch place log \"{[place]} {1<<18.} {-1}\" if ac==5");
+  (*other)("continue");
+  EXPECT_EQ(other->printed, "000005 262144. -1.\n");
+}
+
 TEST(MonitorPdp7, WatchesMemory) {
   auto m = pdp7_program();
   Session& s = *m;
@@ -361,14 +394,43 @@ TEST(MonitorPdp7, SendsAndExpects) {
   EXPECT_EQ(s.printed, "Hi there");
   s("assert keyboard==0");
   EXPECT_NE(s("assert keyboard==1", Kind::failed).find("assert: keyboard==1 is not true"), std::string::npos);
-  // A minute of emulated time.
-  if (tests::is_optimised()) {
-    EXPECT_NE(s("expect \"never\"", Kind::failed).find("not printed in 60 s"), std::string::npos);
-  }
+  const std::int64_t second = s.machine().ticks_per_second();
+  const std::int64_t before = s.machine().ticks();
+  EXPECT_EQ(s("expect \"never\"", Kind::failed),
+            "expect: not printed, and the program waits for a key; printed since the last expect: \"\"\n");
+  EXPECT_LT(s.machine().ticks() - before, 3 * second);
   s("send \"!\"");
   EXPECT_NE(s("c").find("stopped by halt"), std::string::npos);
-  s("expect \"\"", Kind::wrong);
   s("send \"\\q\"", Kind::wrong);
+  s("send a b", Kind::wrong);
+}
+
+// It computes, for ever, and polls with different registers each time.
+TEST(MonitorPdp7, ExpectHasALimit) {
+  auto m = pdp7_session("wait, isz 20\n  nop\n  700301\n  jmp wait\n  hlt\n");
+  Session& s = *m;
+  const std::int64_t second = s.machine().ticks_per_second();
+  EXPECT_EQ(s("expect \"x\" within 90s", Kind::failed), "expect: not printed in 90 s; printed since the last expect: \"\"\n");
+  EXPECT_GE(s.machine().ticks(), 90 * second);
+  EXPECT_LT(s.machine().ticks(), 91 * second);
+  EXPECT_EQ(s("expect \"x\" within 250ms", Kind::failed), "expect: not printed in 0.25 s; printed since the last expect: \"\"\n");
+  EXPECT_LT(s.machine().ticks(), 92 * second);
+  EXPECT_NE(s("expect \"x\"", Kind::failed).find("not printed in 60 s"), std::string::npos);
+  EXPECT_EQ(s("expect \"x\" within", Kind::wrong), "expect: found \"within\", expected within TIME, such as within 90s\n");
+  EXPECT_EQ(s("expect \"x\" for 5s", Kind::wrong), "expect: found \"for 5s\", expected within TIME, such as within 90s\n");
+}
+
+// An empty text has been printed already, and takes no key; no text at all is an error.
+TEST(MonitorPdp7, AnEmptyTextIsAText) {
+  auto m = pdp7_session(echo);
+  Session& s = *m;
+  EXPECT_EQ(s("expect \"\""), "");
+  EXPECT_EQ(s("send \"\""), "");
+  EXPECT_EQ(s.machine().instructions(), 0U);
+  s("expect", Kind::wrong);
+  s("send", Kind::wrong);
+  s("send \"\"; send \"A\"; send \"\"; expect \"A\"; expect \"\"");
+  EXPECT_EQ(s.printed, "A");
 }
 
 TEST(MonitorPdp7, AttachesATape) {
@@ -1081,22 +1143,51 @@ TEST(MonitorI8080, RandomConditionsStopLikeTheOracle) {
   }
 }
 
-// Without a terminal a program that only polls for a key is stopped after a limit of emulated time. `run for` is not limited.
-TEST(MonitorPdp7, LimitsTheWaitForAKey) {
-  auto m = pdp7_session("begin, 700301\n jmp begin\n 700312\n hlt\nbusy, jmp busy\n start begin\n", nullptr, 2);
+// A program that does nothing but wait for a key is stopped, whether the monitor is at a terminal or not. `run for` runs on.
+TEST(MonitorPdp7, StopsAProgramThatWaitsForAKey) {
+  for (const std::optional<std::int64_t> patience : {std::optional<std::int64_t>(), std::optional<std::int64_t>(2)}) {
+    auto m = pdp7_session("begin, 700301\n jmp begin\n 700312\n hlt\nbusy, jmp busy\n start begin\n", nullptr, patience);
+    const std::string text = (*m)("go");
+    EXPECT_NE(text.find("stopped by end of input\nthe program waits for a key, and there is none: `send` types keys"), std::string::npos) << text;
+    const std::int64_t second = m->machine().ticks_per_second();
+    const std::int64_t then = m->machine().ticks();
+    EXPECT_LT(then, 5 * second);
+    EXPECT_EQ((*m)("run for 4000ms").find("waits for a key"), std::string::npos);
+    EXPECT_GE(m->machine().ticks(), then + 4 * second);
+    (*m)("send \"A\"");
+    EXPECT_NE((*m)("go begin").find("stopped by halt"), std::string::npos);
+    // A program that has read its key and works is not waiting.
+    (*m)("d pc busy");
+    EXPECT_EQ((*m)("run for 4000ms").find("waits for a key"), std::string::npos);
+    EXPECT_FALSE(m->machine().wants_key());
+  }
+}
+
+// While the clock runs something else may happen; without a terminal the patience ends the run.
+TEST(MonitorPdp7, LimitsTheWaitForAKeyWhileTheClockRuns) {
+  auto m = pdp7_session("begin, 700044\nwait, 700301\n jmp wait\n 700312\n hlt\n start begin\n", nullptr, 2);
   const std::string text = (*m)("go");
-  EXPECT_NE(text.find("the program has asked for a key for 2 s of its time, and there is none"), std::string::npos) << text;
+  EXPECT_NE(text.find("the program has only waited for a key for 2 s of its time, and there is none"), std::string::npos) << text;
   const std::int64_t second = m->machine().ticks_per_second();
   EXPECT_GE(m->machine().ticks(), 2 * second);
-  EXPECT_LT(m->machine().ticks(), 5 * second);
-  EXPECT_EQ((*m)("run for 4000ms").find("asked for a key"), std::string::npos);
-  EXPECT_GE(m->machine().ticks(), 6 * second);
-  (*m)("send \"A\"");
-  EXPECT_NE((*m)("go begin").find("stopped by halt"), std::string::npos);
-  // A program that has read its key and works is not waiting.
-  (*m)("d pc busy");
-  EXPECT_EQ((*m)("run for 4000ms").find("asked for a key"), std::string::npos);
-  EXPECT_FALSE(m->machine().wants_key());
+  EXPECT_LT(m->machine().ticks(), 6 * second);
+}
+
+// --- The console keys ---
+
+TEST(MonitorPdp7, StartClearsTheFlagsAndResetDoesNotRun) {
+  auto m = pdp7_session("begin, 700406\n 700401\n jmp .-1\n 700042\n hlt\n lac (5\n hlt\n start begin\n");
+  Session& s = *m;
+  EXPECT_NE(s("c").find("stopped by halt\n00105"), std::string::npos);
+  s("assert printer==1; assert ion==1");
+  EXPECT_NE(s("reset; c").find("stopped by halt\n00107"), std::string::npos);  // it continues after the HLT
+  s("assert printer==0; assert ion==0; assert ac==5");
+  EXPECT_NE(s("d pc 105; c").find("stopped by halt\n00107"), std::string::npos);
+  EXPECT_NE(s("start").find("stopped by halt\n00105"), std::string::npos);
+  EXPECT_NE(s("start 105").find("stopped by halt\n00107"), std::string::npos);
+  s("assert printer==0; assert ion==0");
+  s("start nowhere", Kind::wrong);
+  s("reset now", Kind::wrong);
 }
 
 // --- All verbs ---
@@ -1126,6 +1217,8 @@ const std::vector<VerbCase>& verb_cases() {
       {"cycle", {"step"}, "cycle 2", at_store},
       {"continue", {"break store+1"}, "continue", "breakpoint 1\n00106 store+1: dac 110  ; dac place  AC 000003  L 0  MQ 000000  SC 00  0.000007000 s\n"},
       {"go", {"d 200 740040"}, "go 200", "stopped by halt\n00201 place+71: cal  AC 000000  L 0  MQ 000000  SC 00  0.000001750 s\n"},
+      {"start", {"d 200 740040", "step"}, "start 200", "stopped by halt\n00201 place+71: cal  AC 000003  L 0  MQ 000000  SC 00  0.000005250 s\n"},
+      {"reset", {"step", "d ion 1"}, "reset; show time", "0.000003500 s, 1 instructions\n"},
       {"run", {}, "run until ac==3 && pc>105", "ac==3 && pc>105\n00106 store+1: dac 110  ; dac place  AC 000003  L 0  MQ 000000  SC 00  0.000007000 s\n"},
       {"break", {}, "break store if ac==5 count 2", "breakpoint 1: store if ac==5 count 2\n"},
       {"watch", {}, "watch place w value 5", "breakpoint 1: watch place w value 5\n"},
@@ -1210,10 +1303,18 @@ TEST(MonitorVerbs, WrongArgumentsAreErrors) {
       {"break interrupt x", "found \"x\" behind interrupt"},
       {"break 100 if", "expected an expression behind `if`"},
       {"break 100 count 0", "found count 0, expected 1 or more"},
+      {"break 100 count =>3", "found \"=>3\", expected a decimal count: 3 or %3"},
+      {"break 100 log \"\"", "expected log \"TEXT\" with a text"},
+      {"break 100 log \"{\"", "found { alone, expected an expression in braces"},
+      {"break 100 log \"{nobody}\"", "found \"nobody\""},
+      {"break 100 \"text\"", "found \"text\", expected log before a text in quotes"},
       {"break disk", "show conditions and show symbols list them"},
       {"watch port 100", "found device 100, expected 0 to 000077"},
-      {"watch place x", "found \"x\", expected r, w, rw, value, if or count"},
+      {"watch place x", "found \"x\", expected r, w, rw, value, if, count or log"},
       {"send", "expected \"KEYS\""},
+      {"send a b", "found b after the keys, expected one text"},
+      {"expect", "expected \"TEXT\" or \"TEXT\" within TIME"},
+      {"reset 5", "expected no arguments"},
       {"send \"x", "found \"x without a \" at its end"},
       {"do", "expected a file of commands"},
       {"quit now", "expected no arguments"},

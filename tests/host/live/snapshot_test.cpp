@@ -148,7 +148,7 @@ TEST(Snapshot, ErrorsSayWhatToDo) {
   machines::Bytes changed = bytes;
   changed[8] = 3;
   EXPECT_EQ(refusal(changed, *machine),
-            "a.snap: byte 8: found version 3, expected version 5; make the snapshot again with the --save of "
+            "a.snap: byte 8: found version 3, expected version 6; make the snapshot again with the --save of "
             "this version");
   EXPECT_EQ(
       refusal(bytes, *machine, "i8080"),

@@ -70,6 +70,45 @@ TEST(RunPdp7, WarnsOnceWhileItRuns) {
 }
 
 // 0 is CAL, which continues at 21; nothing was loaded there, and no start address is given.
+// LAW 106; `start`; IDSI; JMP .-1; JMP 100, and a display file with that stop word.
+MachineRun waits_for_stop(unsigned start, unsigned stop) {
+  return run_of(words_at(0100, {0760106, start, 0700601, 0600102, 0600100}) +
+                words_at(0106, {0020117, 0221000, 0121000, 0200177, 0400000, stop}))
+      .set("--start", "100");
+}
+
+std::string warnings_after_a_second(const MachineRun& run) {
+  auto ready = run.prepared();
+  EXPECT_TRUE(ready.has_value());
+  static_cast<void>(ready->machine->run({.until = 1'000'000'000}, false));
+  std::string text;
+  for (const std::string& warning : ready->machine->warnings()) text += warning + "\n";
+  return text;
+}
+
+// The first pass begins at 106 because the counter is 0, and ends without an interrupt.
+TEST(RunPdp7, WarnsOfAWaitForAStopThatCannotCome) {
+  const std::string text = warnings_after_a_second(waits_for_stop(0700604, 02000));
+  EXPECT_NE(text.find("the program waits with IDSI (700601) for a stop interrupt that cannot come"), std::string::npos) << text;
+  EXPECT_EQ(text.find("ORs AC"), std::string::npos) << text;
+  // With the interrupt bit, and with the pulse that clears the counter, there is nothing to say.
+  EXPECT_EQ(warnings_after_a_second(waits_for_stop(0700606, 03000)), "");
+}
+
+// The first pass ends behind the stop word, at 114; 106 ORed into that is 116.
+TEST(RunPdp7, WarnsOfAnAddressThatIsOred) {
+  const std::string text = warnings_after_a_second(waits_for_stop(0700604, 03000));
+  EXPECT_NE(text.find("700604 has started the display at another address than that in AC"), std::string::npos) << text;
+  EXPECT_EQ(text.find("cannot come"), std::string::npos) << text;
+  // IDRD (700614) clears AC and goes on at the counter on purpose.
+  EXPECT_EQ(warnings_after_a_second(run_of(words_at(0100, {0760110, 0700606, 0700601, 0600102, 0700614, 0600102}) +
+                                           words_at(0110, {0020117, 0003000, 0003000, 0003000}))
+                                        .set("--start", "100")
+                                        .set("--display"))
+                .find("700604"),
+            std::string::npos);
+}
+
 TEST(RunPdp7, WarnsOnceOfMemoryThatIsEmpty) {
   const auto warnings = [](const std::string& core, std::string_view start) {
     MachineRun setup = run_of(core);

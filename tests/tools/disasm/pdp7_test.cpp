@@ -136,7 +136,7 @@ TEST(DisassemblePdp7Bell, FirmwareAndExamplesComeBack) {
   for (const auto& [name, sources] : programs) {
     for (const std::uint32_t eae : {0U, 1U}) {
       assembler::Options options;
-      options.defines = {{"EAE", Word18(eae)}};
+      options.defines = {{"EAE", eae}};
       const auto assembled = assembler::assemble_pdp7(sources, options);
       ASSERT_TRUE(assembled.ok()) << name << assembler::to_string(assembled.diagnostics.front());
       const auto source = disassemble_pdp7_bell(assembled.image);

@@ -61,31 +61,33 @@ void I8080Pass::conditional(Directive directive, const Head& head) {
 bool I8080Pass::condition(Directive directive) {
   if (directive == Directive::if_first_pass || directive == Directive::if_second_pass) {
     // IF1 is true in the layout passes, IF2 in the pass that makes the bytes.
-    return expect_end() && final_ == (directive == Directive::if_second_pass);
+    return expect_end() && engine_.final() == (directive == Directive::if_second_pass);
   }
   if (directive == Directive::if_ || directive == Directive::if_zero) {
     const std::size_t at = token_.column;
-    const auto value = constant_value("a condition");
-    if (!value || !expect_end()) return false;
-    const bool odd = (*value & 1U) != 0;
-    if (odd != (*value != 0) && rules_.if_takes_bit_zero) {
+    const auto read = expression();
+    if (!read || !expect_end()) return false;
+    // As in ASM and MAC, a name that is defined further down is 0 in the first pass. Later passes use its value.
+    if (!read->known) engine_.await_value();
+    const std::uint32_t value = read->bits;
+    const bool odd = (value & 1U) != 0;
+    if (odd != (value != 0) && rules_.if_takes_bit_zero) {
       const std::string dialect(i8080_dialect_names[static_cast<std::size_t>(rules_.dialect)]);
-      warning(at, "value " + std::to_string(*value) + " of IF, of which only bit 0 is tested with --dialect " + dialect, "0 or an odd value");
-    } else if (odd != (*value != 0) && rules_.dialect == I8080Dialect::common) {
-      warning(at, "value " + std::to_string(*value) + " of IF",
+      warning(at, "value " + std::to_string(value) + " of IF, of which only bit 0 is tested with --dialect " + dialect, "0 or an odd value");
+    } else if (odd != (value != 0) && rules_.dialect == I8080Dialect::common) {
+      warning(at, "value " + std::to_string(value) + " of IF",
               "0, an odd value or --dialect: it is true here; mac and intel test bit 0 alone");
     }
-    return (rules_.if_takes_bit_zero ? odd : *value != 0) == (directive == Directive::if_);
+    return (rules_.if_takes_bit_zero ? odd : value != 0) == (directive == Directive::if_);
   }
   if (directive == Directive::if_defined || directive == Directive::if_not_defined) {
     if (token_.kind != I8080TokenKind::name) {
       unexpected("a name");
       return false;
     }
-    const auto found = program_.symbols.find(scoped(token_.value));
-    const bool defined = found != program_.symbols.end() &&
-                         (found->second.external || found->second.defined_in_pass == number_ ||
-                          (found->second.kind == I8080SymbolKind::define && found->second.value));
+    const Symbol* const found = engine_.find(token_.value);
+    const bool defined = engine_.means_external(token_.value) ||
+                         (found != nullptr && (engine_.is_defined(*found) || found->kind == SymbolKind::define));
     return defined == (directive == Directive::if_defined);
   }
   const Arguments arguments = arguments_of(statement_.text, token_.column);
@@ -130,7 +132,7 @@ void I8080Pass::define_macro(const Head& head) {
   Definition definition;
   definition.macro.name = std::string(head.label);
   definition.macro.defined = place(0);
-  const Word* const reserved = program_.vocabulary.find(key_of(head.label, rules_));
+  const Word* const reserved = find_word(key_of(head.label, rules_));
   if (head.label.empty()) {
     error(head.operation_at, "MACRO without a name", "NAME before it");
   } else if (reserved != nullptr) {
@@ -268,7 +270,7 @@ void I8080Pass::push(std::unique_ptr<I8080Frame> frame) {
   if (frames_.size() >= most_frames) {
     error(0, "more than " + std::to_string(most_frames) + " macros and files inside each other",
           "a recursion that ends");
-    stopped_ = true;
+    engine_.stop();
     return;
   }
   frame->conditionals = conditionals_.size();

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "tools/asm/i8080/pass.hpp"
-#include "tools/asm/symbol_table.hpp"
 
 namespace sightline::assembler {
 namespace {
@@ -33,8 +32,8 @@ std::vector<std::string> candidate_names(std::string_view name, bool library) {
 void I8080Pass::directive(Directive directive, const Head& head) {
   switch (directive) {
     case Directive::org: return origin();
-    case Directive::equ: return equate(head, I8080SymbolKind::equate);
-    case Directive::set: return equate(head, I8080SymbolKind::set);
+    case Directive::equ: return equate(head, SymbolKind::constant);
+    case Directive::set: return equate(head, SymbolKind::assigned);
     case Directive::db: return data_bytes(false);
     case Directive::dc: return data_bytes(true);
     case Directive::dw: return data_words();
@@ -66,7 +65,7 @@ void I8080Pass::directive(Directive directive, const Head& head) {
   }
 }
 
-void I8080Pass::equate(const Head& head, I8080SymbolKind kind) {
+void I8080Pass::equate(const Head& head, SymbolKind kind) {
   if (head.label.empty())
     return error(head.operation_at, quoted(head.word) + " without a name", "NAME before it");
   const auto value = expression();
@@ -115,29 +114,23 @@ void I8080Pass::data_words() {
   expect_end();
 }
 
-// Without a fill byte the bytes stay undefined: they do not appear in a HEX file.
+// Without a fill byte the bytes stay undefined: they do not appear in a HEX file. They may run past FFFF, as in ASM and MAC:
+// values begin again at 0, but a byte there needs an ORG.
 void I8080Pass::space() {
-  const std::size_t at = token_.column;
   const auto size = constant_value("a size");
   if (!size) return;
-  shown_value_ = statement_location_;
+  shown_value_ = statement_location_ % memory_end;
   if (token_.is(',')) {
     advance();
     const std::size_t fill_at = token_.column;
     const auto fill = expression();
     const std::uint8_t byte = fill ? byte_of(*fill, fill_at).value_or(0) : std::uint8_t{0};
     count_lines(*size / listing_bytes_a_row);
-    for (std::uint32_t i = 0; i < *size && !reported_overflow_ && !stopped_; ++i) emit(byte);
+    for (std::uint32_t i = 0; i < *size && !reported_overflow_ && !engine_.stopped(); ++i) emit(byte);
     if (!fill) return;
-  } else if (location_ + *size > memory_end) {
-    if (!reported_overflow_) {
-      error(at, std::to_string(*size) + " bytes of space",
-            "at most " + std::to_string(memory_end - location_) + " up to the end of the 64K");
-    }
-    reported_overflow_ = true;
-    location_ = memory_end;
   } else {
     location_ += *size;
+    if (location_ >= memory_end) location_ = memory_end + location_ % memory_end;
   }
   expect_end();
 }
@@ -166,10 +159,9 @@ void I8080Pass::end_of_program() {
   if (!at_end()) {
     const std::size_t at = token_.column;
     const auto start = expression();
-    if (start && expect_end() && final_) {
-      if (program_.image.start && *program_.image.start != start->bits)
-        warning(at, "a second start address", "one");
-      program_.image.start = static_cast<std::uint16_t>(start->bits);
+    if (start && expect_end() && engine_.final()) {
+      if (program_.start && *program_.start != start->bits) warning(at, "a second start address", "one");
+      program_.start = static_cast<std::uint16_t>(start->bits);
     }
   }
   for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame) {
@@ -189,41 +181,24 @@ void I8080Pass::include(bool library) {
   if (name.empty()) return error(at, "no name", "the name of a file");
   const auto in_file =
       std::find_if(frames_.rbegin(), frames_.rend(), [](const auto& f) { return !f->is_expansion(); });
-  const std::string& including = program_.files[(*in_file)->file()].name;
+  const std::string& including = engine_.file((*in_file)->file()).name;
   for (const std::string& written : candidate_names(name, library)) {
-    const auto file = read_included(path_beside(including, written));
+    const auto file = engine_.include(path_beside(including, written), options_.include);
     if (!file) continue;
     for (const auto& frame : frames_) {
       if (!frame->is_expansion() && frame->file() == *file)
         return error(at, quoted(name) + ", which is being read", "a file that does not include itself");
     }
-    push(std::make_unique<I8080Frame>(*file, program_.files[*file].text, rules_));
+    push(std::make_unique<I8080Frame>(*file, engine_.file(*file).text, rules_));
     return;
   }
   error(at, quoted(name) + ", which cannot be read", "a file beside " + including);
 }
 
-// The index of the file among those read; nothing if it cannot be read. Each file is read once for all passes.
-std::optional<std::size_t> I8080Pass::read_included(const std::string& path) {
-  const auto known = program_.included.find(path);
-  if (known != program_.included.end()) return known->second;
-  std::optional<std::size_t> place;
-  if (auto text = options_.include ? options_.include(path) : std::nullopt) {
-    place = program_.files.size();
-    program_.files.push_back({path, std::move(*text)});
-  }
-  return program_.included[path] = place;
-}
-
 void I8080Pass::externals() {
   const auto names = names_list("a name");
   if (!names) return;
-  for (const std::string& name : *names) {
-    share(name);
-    I8080Entry& entry = program_.symbols[name];
-    if (entry.name.empty()) entry.name = name;
-    entry.external = true;  // defined in another source of this program, or never used
-  }
+  for (const std::string& name : *names) engine_.declare(name, true);  // defined in another source of this program, or never used
 }
 
 void I8080Pass::publics() {
@@ -231,8 +206,8 @@ void I8080Pass::publics() {
   const auto names = names_list("a name");
   if (!names) return;
   for (const std::string& name : *names) {
-    share(name);
-    publics_.push_back({name, place(at), source_});
+    engine_.declare(name, false);
+    publics_.emplace_back(name, place(at));
   }
 }
 

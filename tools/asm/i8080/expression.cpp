@@ -118,12 +118,13 @@ std::optional<I8080Value> I8080Pass::level(int precedence_level) {
 std::optional<I8080Value> I8080Pass::combine(Operator operation, const I8080Value& a, const I8080Value& b,
                                              std::size_t at) {
   const bool known = a.known && b.known;
-  if (known && b.bits == 0 && (operation == Operator::divide || operation == Operator::mod)) {
+  const bool divides = operation == Operator::divide || operation == Operator::mod;
+  if (divides && b.bits == 0) {
+    if (!known) return I8080Value{0, false, true, false};
     error(at, "a division by 0", "another divisor");
     return std::nullopt;
   }
-  const bool divides = known && (operation == Operator::divide || operation == Operator::mod);
-  std::uint32_t bits = known ? result_of(operation, a.bits, b.bits) & word_mask : 0;
+  std::uint32_t bits = result_of(operation, a.bits, b.bits) & word_mask;
   if (divides) {
     const std::uint32_t with_sign = signed_result_of(operation, a.bits, b.bits) & word_mask;
     if (with_sign != bits && rules_.dialect == I8080Dialect::common) {
@@ -159,7 +160,6 @@ std::optional<I8080Value> I8080Pass::prefix(Operator operation, int operand_leve
     case Operator::low: value->bits &= 0xFFU; break;
     default: break;  // a plus sign or a parenthesis
   }
-  if (!value->known) value->bits = 0;
   return value;
 }
 
@@ -237,15 +237,14 @@ std::optional<I8080Value> I8080Pass::primary() {
 }
 
 // A label may have the name of an instruction, a register or an infix operator. Null if there is no such label.
-const I8080Entry* I8080Pass::label_of(const std::string& key) const {
-  const auto found = program_.symbols.find(scoped(key));
-  const bool defined = found != program_.symbols.end() && found->second.defined_in_pass != 0;
-  return defined ? &found->second : nullptr;
+const Symbol* I8080Pass::label_of(const std::string& key) const {
+  const Symbol* const found = engine_.find(key);
+  return found != nullptr && found->defined_in_pass != 0 ? found : nullptr;
 }
 
 std::optional<I8080Value> I8080Pass::name_value() {
   const I8080Token name = token_;
-  if (name.external) share(name.value);
+  if (name.external) engine_.declare(name.value, false);
   const bool is_label = label_of(name.value) != nullptr;
   if (const Word* const found = word(name.value, WordKind::mnemonic); found != nullptr && !is_label) {
     const auto opcode = opcode_value(found->rows);
@@ -254,18 +253,17 @@ std::optional<I8080Value> I8080Pass::name_value() {
   advance();
   if (const Word* const found = word(name.value, WordKind::register_name); found != nullptr && !is_label)
     return I8080Value{found->value, true, false, false};
-  const auto found = program_.symbols.find(scoped(name.value));
-  const I8080Entry* const entry = found == program_.symbols.end() ? nullptr : &found->second;
-  if (entry != nullptr && entry->value) {
-    const bool forward = entry->kind != I8080SymbolKind::define && entry->defined_in_pass != number_;
-    return I8080Value{*entry->value, true, forward || entry->forward, entry->pattern};
+  const Symbol* const symbol = engine_.find(name.value);
+  if (symbol != nullptr && symbol->value) {
+    const bool forward = symbol->kind != SymbolKind::define && !engine_.is_defined(*symbol);
+    return I8080Value{*symbol->value, true, forward || (symbol->form & forward_form) != 0, (symbol->form & pattern_form) != 0};
   }
-  if (!final_) return I8080Value{0, false, true, false};
+  if (!engine_.final()) return I8080Value{0, false, true, false};
   const std::string elsewhere = suggest_declaration(name.value);
-  if (entry != nullptr && entry->external) {
+  if (engine_.means_external(name.value)) {
     error(name.column, "external symbol " + quoted(name.text),
           elsewhere.empty() ? "one that a source of this program defines: there is no linker" : elsewhere);
-  } else if (entry != nullptr && entry->defined_in_pass != 0) {
+  } else if (symbol != nullptr && symbol->defined_in_pass != 0) {
     error(name.column, quoted(name.text) + ", whose value is not known",
           "an EQU that does not depend on itself");
   } else {

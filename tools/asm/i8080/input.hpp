@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tools/asm/i8080/macro.hpp"
-#include "tools/asm/source.hpp"
+#include "tools/asm/assembly.hpp"
 
 namespace sightline::assembler {
 

@@ -10,6 +10,9 @@ using i8080::Instruction;
 using i8080::Operand;
 
 constexpr std::uint8_t code_of_m = 6;
+// CP/M's ASM and MAC take PUSH A as PUSH PSW.
+constexpr std::uint8_t code_of_a = 7;
+constexpr std::uint8_t code_of_psw_pair = 3;
 
 bool is_register(Operand operand) {
   return operand == Operand::to_register || operand == Operand::from_register || operand == Operand::memory;
@@ -79,6 +82,7 @@ std::optional<std::uint8_t> code_of_pair_name(std::string_view name) {
 
 std::optional<std::uint8_t> code_of(Operand operand, std::uint32_t value) {
   if (!is_pair(operand)) return value < 8 ? std::optional(static_cast<std::uint8_t>(value)) : std::nullopt;
+  if (operand == Operand::pair_psw && value == code_of_a) return code_of_psw_pair;
   const std::uint32_t most = operand == Operand::pair_b_d ? 2 : 6;
   if (value % 2 != 0 || value > most) return std::nullopt;
   return static_cast<std::uint8_t>(value / 2);
@@ -96,7 +100,7 @@ std::optional<std::uint8_t> I8080Pass::field(Operand operand) {
     unexpected(expected_for(operand));
     return std::nullopt;
   }
-  if (alone && is_pair(operand) && !program_.symbols.contains(scoped(first.value))) {
+  if (alone && is_pair(operand) && engine_.find(first.value) == nullptr) {
     if (const auto code = code_of_pair_name(first.value)) {
       advance();
       return code;

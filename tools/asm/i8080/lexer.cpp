@@ -78,22 +78,6 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v' || c == '\x1A';
 }
 
-std::string folded(std::string_view name) {
-  std::string text;
-  text.reserve(name.size());
-  for (const char c : name) {
-    if (c != '$') text += lower(c);
-  }
-  return text;
-}
-
-std::string key_of(std::string_view name, const I8080Rules& rules) {
-  if (!rules.dollar_in_names) return folded(name);
-  std::string text(name);
-  std::transform(text.begin(), text.end(), text.begin(), lower);
-  return text;
-}
-
 std::size_t end_of_name(std::string_view text, std::size_t at, const I8080Rules& rules) {
   if (!rules.dollar_in_names || at + 1 >= text.size() || text[at] != '$' || !continues_name(text[at + 1]))
     return end_of_name(text, at);

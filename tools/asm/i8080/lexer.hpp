@@ -10,14 +10,17 @@
 #include <string>
 #include <string_view>
 
+#include "tools/asm/assembly.hpp"
 #include "tools/asm/i8080/dialect.hpp"
 
 namespace sightline::assembler {
 
 // A name without its `$`, in lower case.
-[[nodiscard]] std::string folded(std::string_view name);
-// The key of a name in the symbol table: in lower case, with `$` if the dialect counts it.
-[[nodiscard]] std::string key_of(std::string_view name, const I8080Rules& rules);
+[[nodiscard]] inline std::string folded(std::string_view name) { return Naming{.dollar_counts = false}.key(name); }
+// The key of a name: in lower case, with `$` if the dialect counts it.
+[[nodiscard]] inline std::string key_of(std::string_view name, const I8080Rules& rules) {
+  return Naming{.dollar_counts = rules.dollar_in_names}.key(name);
+}
 [[nodiscard]] bool begins_name(char c);
 [[nodiscard]] bool continues_name(char c);
 [[nodiscard]] bool is_blank(char c);

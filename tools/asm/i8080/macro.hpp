@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "tools/asm/i8080/dialect.hpp"
-#include "tools/asm/source.hpp"
+#include "tools/asm/assembly.hpp"
 
 namespace sightline::assembler {
 

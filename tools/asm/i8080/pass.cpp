@@ -11,7 +11,6 @@ namespace {
 
 using image::hexadecimal;
 
-constexpr std::size_t most_errors = 1000;       // the same limit for warnings
 constexpr std::size_t characters_a_line = 256;  // a longer line counts as several lines in the limit
 constexpr std::size_t most_places_shown = 3;    // of nested expansions
 
@@ -28,14 +27,12 @@ bool is_prefix(Operator operation) {
 
 }  // namespace
 
-void I8080Pass::run(std::size_t sources) {
-  program_.unknown_equates = 0;
-  program_.values_changed = false;
-  for (std::size_t file = 0; file < sources && !stopped_; ++file) {
-    source_ = file;
+void I8080Pass::run() {
+  for (std::size_t file = 0; file < engine_.sources() && !engine_.stopped(); ++file) {
+    engine_.begin_source(file);
     radix_ = 10;
-    push(std::make_unique<I8080Frame>(file, program_.files[file].text, rules_));
-    while (!frames_.empty() && !stopped_) {
+    push(std::make_unique<I8080Frame>(file, engine_.file(file).text, rules_));
+    while (!frames_.empty() && !engine_.stopped()) {
       if (const auto statement = frames_.back()->next_statement()) {
         statement_ = *statement;
         this->statement();
@@ -60,7 +57,7 @@ bool I8080Pass::next_line() {
   if (frame.line().size() > longest_line) {
     error(0, std::string("a longer line") + (frame.is_expansion() ? " after expansion" : ""),
           "at most " + std::to_string(longest_line) + " characters");
-    stopped_ = true;
+    engine_.stop();
   }
   begin_row();
   return true;
@@ -71,11 +68,11 @@ void I8080Pass::count_lines(std::size_t more) {
   if (lines_ <= options_.most_lines) return;
   error(0, "more than " + std::to_string(options_.most_lines) + " lines with all expansions",
         "repeats and macros that end");
-  stopped_ = true;
+  engine_.stop();
 }
 
 void I8080Pass::begin_row() {
-  if (!final_ || !options_.listing) return;
+  if (!engine_.final() || !options_.listing) return;
   I8080Frame& frame = *frames_.back();
   frame.row = program_.listing.size();
   frame.row_filled = false;
@@ -85,7 +82,7 @@ void I8080Pass::begin_row() {
 void I8080Pass::end_of_frame() {
   const I8080Frame& frame = *frames_.back();
   const std::string end =
-      frame.is_expansion() ? "the end of " + frame.name() : "the end of " + program_.files[frame.file()].name;
+      frame.is_expansion() ? "the end of " + frame.name() : "the end of " + engine_.file(frame.file()).name;
   while (conditionals_.size() > frame.conditionals) {
     report(Severity::warning, conditionals_.back().opened, end + " inside this IF", "ENDIF; it ends here");
     conditionals_.pop_back();
@@ -103,94 +100,57 @@ void I8080Pass::end_of_frame() {
 
 // Symbols
 
-// The separator is a line break, which no name contains.
-std::string I8080Pass::scoped(const std::string& name) const {
-  if (!program_.modules_known) return name;
-  const I8080Module& module = program_.modules[source_];
-  if (!module.declares || module.shared.contains(name)) return name;
-  const auto found = program_.symbols.find(name);
-  const bool defined = found != program_.symbols.end() && found->second.kind == I8080SymbolKind::define && found->second.value;
-  return defined ? name : name + "\n" + std::to_string(source_);
-}
-
-void I8080Pass::share(const std::string& name) {
-  I8080Module& module = program_.modules[source_];
-  module.declares = true;
-  module.shared.insert(name);
-}
-
 // The declaration that would make an unknown name known from another source; empty if no source defines it.
 std::string I8080Pass::suggest_declaration(const std::string& name) const {
-  if (!program_.modules_known) return {};
-  const bool declares = program_.modules[source_].declares && !program_.modules[source_].shared.contains(name);
-  const auto of = [&](const I8080Entry& entry) { return program_.files[entry.defined.file].name; };
-  const auto global = program_.symbols.find(name);
-  if (global != program_.symbols.end() && global->second.defined_in_pass != 0)
-    return "EXTRN " + global->second.name + ": " + of(global->second) + " defines it";
-  for (std::size_t source = 0; source < program_.modules.size(); ++source) {
-    const auto found = program_.symbols.find(name + "\n" + std::to_string(source));
-    if (found == program_.symbols.end() || found->second.defined_in_pass == 0) continue;
-    return "PUBLIC " + found->second.name + " in " + of(found->second) + (declares ? ", and EXTRN here" : "");
+  if (!engine_.names_are_local()) return {};
+  const auto of = [&](const Symbol& symbol) { return engine_.file(symbol.defined.file).name; };
+  const auto defined = [&](std::optional<std::size_t> source) {
+    const Symbol* const found = engine_.find_in(name, source);
+    return found != nullptr && found->defined_in_pass != 0 ? found : nullptr;
+  };
+  if (const Symbol* const common = defined(std::nullopt)) return "EXTRN " + common->name + ": " + of(*common) + " defines it";
+  for (std::size_t source = 0; source < engine_.sources(); ++source) {
+    const Symbol* const found = defined(source);
+    if (found == nullptr) continue;
+    return "PUBLIC " + found->name + " in " + of(*found) + (engine_.declares() && !engine_.is_declared(name) ? ", and EXTRN here" : "");
   }
   return {};
 }
 
 void I8080Pass::warn_about_undefined_publics() {
-  for (const Public& each : publics_) {
-    const auto found = program_.symbols.find(each.name);
-    if (found == program_.symbols.end() || found->second.defined_in_pass != number_)
-      report(Severity::warning, each.at, "public symbol " + quoted(each.name) + " without a definition", "one in this source");
+  for (const auto& [name, at] : publics_) {
+    const Symbol* const found = engine_.find_in(name, std::nullopt);
+    if (found == nullptr || !engine_.is_defined(*found))
+      report(Severity::warning, at, "public symbol " + quoted(name) + " without a definition", "one in this source");
   }
 }
 
-void I8080Pass::enter(std::string_view name, std::size_t at, I8080SymbolKind kind, const I8080Value& value,
-                      bool any_word) {
+void I8080Pass::enter(std::string_view name, std::size_t at, SymbolKind kind, const I8080Value& value, bool any_word) {
   const std::string key = key_of(name, rules_);
-  const Word* const reserved = program_.vocabulary.find(key);
+  const Word* const reserved = find_word(key);
   const bool precedes = reserved != nullptr && reserved->kind == WordKind::operation && is_prefix(reserved->operation);
   if (reserved != nullptr && reserved->kind != WordKind::directive && (!any_word || precedes)) {
     return error(at, quoted(name), "a name that is no register, operator or instruction");
   }
-  I8080Entry& entry = program_.symbols[scoped(key)];
-  if (entry.name.empty()) entry.name = std::string(name);
-  if (entry.kind == I8080SymbolKind::define && entry.value) {
-    if (kind == I8080SymbolKind::label)
-      error(at, "label " + quoted(name), "another name: -D defines this one");
+  Symbol& symbol = engine_.symbol(key, name);
+  if (symbol.kind == SymbolKind::define) {
+    if (kind == SymbolKind::label) error(at, "label " + quoted(name), "another name: -D defines this one");
     return;
   }
-  const bool again = entry.defined_in_pass == number_;
-  const auto bits = static_cast<std::uint16_t>(value.bits);
-  if (again && kind == entry.kind && kind != I8080SymbolKind::set && value.known && entry.value == bits) {
-    return warning(at, "a second definition of " + quoted(name) + " with the same value",
-                   "one, at " + program_.files[entry.defined.file].name + ":" + std::to_string(entry.defined.line));
+  const bool again = engine_.is_defined(symbol);
+  const std::uint32_t bits = value.bits & 0xFFFFU;
+  if (again && (kind != SymbolKind::assigned || symbol.kind != kind)) {
+    const bool equal = kind == symbol.kind && value.known && symbol.value == bits;
+    return report(equal ? Severity::warning : Severity::error, place(at),
+                  "a second definition of " + quoted(name) + (equal ? " with the same value" : ""), "one, at " + engine_.where(symbol.defined));
   }
   if (!again && rules_.significant != 0 && key.size() > rules_.significant) {
     warning(at, quoted(name) + " of " + std::to_string(key.size()) + " characters",
             "at most " + std::to_string(rules_.significant) + ", which are all that count with --dialect " +
                 std::string(i8080_dialect_names[static_cast<std::size_t>(rules_.dialect)]));
   }
-  if (again && (kind != I8080SymbolKind::set || entry.kind != kind)) {
-    return error(
-        at, "a second definition of " + quoted(name),
-        "one, at " + program_.files[entry.defined.file].name + ":" + std::to_string(entry.defined.line));
-  }
-  const std::optional<std::uint16_t> now =
-      value.known ? std::optional(static_cast<std::uint16_t>(value.bits)) : std::nullopt;
-  if (kind != I8080SymbolKind::set && number_ > 1 && entry.value != now) {
-    program_.values_changed = true;
-    if (now && entry.value && !reported_phase_error_) {
-      error(at, quoted(name) + " = " + hexadecimal(*now, 4),
-            hexadecimal(*entry.value, 4) + " as in the pass before (phase error)");
-      reported_phase_error_ = final_;
-    }
-  }
-  if (!value.known) ++program_.unknown_equates;
-  if (!again) entry.defined = place(at);
-  entry.kind = kind;
-  entry.value = now;
-  entry.forward = value.forward;
-  entry.pattern = value.pattern;
-  entry.defined_in_pass = number_;
+  engine_.define(symbol, kind, value.known ? std::optional(bits) : std::nullopt, place(at),
+                 (value.forward ? forward_form : 0) | (value.pattern ? pattern_form : 0));
 }
 
 // Bytes
@@ -201,19 +161,16 @@ void I8080Pass::emit(std::uint8_t byte) {
     reported_overflow_ = true;
     return;
   }
-  const auto address = static_cast<std::uint16_t>(location_++);
-  if (!final_) return;
-  if (program_.image.used(address) && !reported_overlap_) {
+  const std::uint32_t address = location_++;
+  if (!engine_.final()) return;
+  if (engine_.put(address, byte, place(0)) && !std::exchange(reported_overlap_, true))
     warning(0, "a second byte for address " + hexadecimal(address, 4), "one");
-    reported_overlap_ = true;
-  }
-  program_.image.put(address, byte);
   bytes_.push_back(byte);
 }
 
 // `frame` is the frame of the statement, which may have pushed another.
 void I8080Pass::end_statement(I8080Frame& frame) {
-  if (!final_ || !frame.row || (bytes_.empty() && (!shown_value_ || frame.row_filled))) return;
+  if (!engine_.final() || !frame.row || (bytes_.empty() && (!shown_value_ || frame.row_filled))) return;
   std::size_t shown = 0;
   do {
     const std::size_t count = std::min(bytes_.size() - shown, listing_bytes_a_row);
@@ -226,7 +183,7 @@ void I8080Pass::end_statement(I8080Frame& frame) {
     line.address = hexadecimal(first, 4);
     if (!shown_equated_ && !frame.row_filled) {
       const Position place = frame.place(0);
-      line.file = program_.files[place.file].name;
+      line.file = engine_.file(place.file).name;
       line.line_number = place.line;
     }
     line.code = std::move(code);
@@ -275,11 +232,11 @@ Position I8080Pass::place(std::size_t at) const {
 }
 
 void I8080Pass::error(std::size_t at, std::string found, std::string expected) {
-  if (final_) report(Severity::error, place(at), std::move(found), std::move(expected));
+  if (engine_.final()) report(Severity::error, place(at), std::move(found), std::move(expected));
 }
 
 void I8080Pass::warning(std::size_t at, std::string found, std::string expected) {
-  if (final_) report(Severity::warning, place(at), std::move(found), std::move(expected));
+  if (engine_.final()) report(Severity::warning, place(at), std::move(found), std::move(expected));
 }
 
 // Inside an expansion the position is in the macro's text, and the position of the call follows it.
@@ -290,27 +247,13 @@ std::string I8080Pass::where_from() const {
     if (++shown > most_places_shown) return text + ", ...)";
     const Position called = (*frame)->called();
     text += (text.empty() ? " (in " : ", in ") + (*frame)->name() + " at " +
-            program_.files[called.file].name + ":" + std::to_string(called.line);
+            engine_.where(called);
   }
   return text.empty() ? text : text + ")";
 }
 
 void I8080Pass::report(Severity severity, const Position& at, std::string found, std::string expected) {
-  if (!final_ || stopped_) return;
-  const auto& name = program_.files[at.file].name;
-  const bool is_error = severity == Severity::error;
-  std::size_t& count = is_error ? errors_ : warnings_;
-  if (count > most_errors) return;
-  if (++count > most_errors) {
-    program_.diagnostics.push_back(
-        {severity, name, at.line, at.column,
-         "more than " + std::to_string(most_errors) + (is_error ? " errors" : " warnings"),
-         is_error ? "fewer; the rest is not read" : "fewer; the rest is not shown"});
-    stopped_ = is_error;
-    return;
-  }
-  program_.diagnostics.push_back(
-      {severity, name, at.line, at.column, std::move(found), std::move(expected) + where_from()});
+  if (engine_.final()) engine_.report(severity, at, std::move(found), std::move(expected) + where_from());
 }
 
 }  // namespace sightline::assembler

@@ -1,19 +1,17 @@
-// One pass over all 8080 sources. Layout passes compute the value of every symbol. They are repeated while an EQU with a
-// forward reference changes its value. A last pass then makes the bytes and reports diagnostics.
+// One pass over all 8080 sources.
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
+#include "tools/asm/engine.hpp"
 #include "tools/asm/i8080.hpp"
 #include "tools/asm/i8080/input.hpp"
 #include "tools/asm/i8080/lexer.hpp"
@@ -25,37 +23,16 @@ namespace sightline::assembler {
 inline constexpr std::size_t listing_bytes_a_row = 4;
 inline constexpr std::uint32_t memory_end = 0x10000;
 
-struct I8080Entry {
-  std::string name;  // as first written
-  I8080SymbolKind kind = I8080SymbolKind::label;
-  std::optional<std::uint16_t> value;  // nothing while unknown
-  Position defined;
-  int defined_in_pass = 0;  // the last pass that read its definition
-  bool forward = false;     // its value depends on a symbol that is defined further down
-  bool pattern = false;     // as in I8080Value
-  bool external = false;
-};
+// Bits of Symbol::form.
+inline constexpr int forward_form = 1;  // as in I8080Value
+inline constexpr int pattern_form = 2;
 
-// A source with PUBLIC or EXTRN (also `name::` and `name##`), assembled with others: only declared names are visible to them.
-struct I8080Module {
-  bool declares = false;
-  std::set<std::string> shared;  // folded
-};
-
-// State handed from pass to pass; at the end, the result.
 struct I8080Program {
-  Vocabulary vocabulary;
-  std::unordered_map<std::string, I8080Entry> symbols;  // by folded name; local names of a module by I8080Pass::scoped()
-  std::vector<I8080Module> modules;                     // of the sources
-  bool modules_known = false;  // set by the first pass, in which names are common to all sources
-  std::deque<SourceFile> files;                         // sources, then included files
-  std::map<std::string, std::optional<std::size_t>>
-      included;                     // path -> its index in `files`; nothing if it cannot be read
-  std::size_t unknown_equates = 0;  // in the last pass
-  bool values_changed = false;        // in the last pass, compared with the pass before
-  image::ByteImage image;
+  I8080Program(std::span<const SourceFile> sources, const Naming& naming) : engine(sources, naming, 16, 4) {}
+
+  Engine engine;
   std::vector<ListingLine> listing;
-  std::vector<Diagnostic> diagnostics;
+  std::optional<std::uint16_t> start;
 };
 
 // A value of an expression; `known` is false while it depends on an undefined symbol.
@@ -68,10 +45,10 @@ struct I8080Value {
 
 class I8080Pass {
  public:
-  I8080Pass(const I8080Options& options, I8080Program& program, int number, bool final)
-      : options_(options), rules_(rules_of(options.dialect)), program_(program), number_(number), final_(final) {}
+  I8080Pass(const I8080Options& options, I8080Program& program)
+      : options_(options), rules_(rules_of(options.dialect)), program_(program), engine_(program.engine) {}
 
-  void run(std::size_t sources);
+  void run();
 
  private:
   struct Conditional {
@@ -110,10 +87,7 @@ class I8080Pass {
   void count_lines(std::size_t more);
   void begin_row();
   // `any_word`: also a word of the language, but not a prefix operator.
-  void enter(std::string_view name, std::size_t at, I8080SymbolKind kind, const I8080Value& value, bool any_word = false);
-  // The key of a name of the current source in `symbols`.
-  [[nodiscard]] std::string scoped(const std::string& name) const;
-  void share(const std::string& name);
+  void enter(std::string_view name, std::size_t at, SymbolKind kind, const I8080Value& value, bool any_word = false);
   [[nodiscard]] std::string suggest_declaration(const std::string& name) const;
   void warn_about_undefined_publics();
   void emit(std::uint8_t byte);
@@ -135,7 +109,7 @@ class I8080Pass {
 
   // Directives (directives.cpp)
   void directive(Directive directive, const Head& head);
-  void equate(const Head& head, I8080SymbolKind kind);
+  void equate(const Head& head, SymbolKind kind);
   void data_bytes(bool mark_last);
   bool data_string(bool mark_last);
   void data_words();
@@ -143,7 +117,6 @@ class I8080Pass {
   void origin();
   void end_of_program();
   void include(bool library);
-  [[nodiscard]] std::optional<std::size_t> read_included(const std::string& path);
   void externals();
   void publics();
   void processor();
@@ -182,7 +155,7 @@ class I8080Pass {
   [[nodiscard]] bool go_deeper();
   [[nodiscard]] std::optional<I8080Value> primary();
   [[nodiscard]] std::optional<I8080Value> name_value();
-  [[nodiscard]] const I8080Entry* label_of(const std::string& key) const;
+  [[nodiscard]] const Symbol* label_of(const std::string& key) const;
   [[nodiscard]] std::optional<I8080Value> combine(Operator operation, const I8080Value& a,
                                                   const I8080Value& b, std::size_t at);
   [[nodiscard]] std::optional<Operator> operation_of_token() const;
@@ -207,8 +180,7 @@ class I8080Pass {
   const I8080Options& options_;
   const I8080Rules& rules_;
   I8080Program& program_;
-  int number_;
-  bool final_;
+  Engine& engine_;
   std::vector<std::unique_ptr<I8080Frame>> frames_;
   std::vector<Conditional> conditionals_;
   std::unordered_map<std::string, Macro> macros_;
@@ -240,22 +212,12 @@ class I8080Pass {
   std::vector<std::uint8_t> bytes_;           // of this statement
   std::optional<std::uint32_t> shown_value_;  // of a statement without bytes, for the listing
   bool shown_equated_ = false;                // shown_value_ is from EQU or SET
-  bool reported_phase_error_ = false;                   // only the first is reported, as it causes the others
   bool reported_overflow_ = false;                // since the last ORG
   bool reported_overlap_ = false;                 // in this statement
-  std::size_t errors_ = 0;
-  std::size_t warnings_ = 0;
-  std::size_t source_ = 0;  // the source being read, with its included files
-  struct Public {
-    std::string name;  // folded
-    Position at;
-    std::size_t source;
-  };
-  std::vector<Public> publics_;
+  std::vector<std::pair<std::string, Position>> publics_;  // keys
   std::size_t lines_ = 0;
   std::size_t locals_ = 0;
   int nesting_ = 0;  // of an expression
-  bool stopped_ = false;
 };
 
 }  // namespace sightline::assembler

@@ -29,7 +29,7 @@ void I8080Pass::statement() {
 }
 
 const Word* I8080Pass::word(const std::string& name, WordKind kind) const {
-  const Word* found = program_.vocabulary.find(name);
+  const Word* found = find_word(name);
   return found != nullptr && found->kind == kind ? found : nullptr;
 }
 
@@ -50,7 +50,7 @@ bool I8080Pass::in_comment() {
 
 // Warns of `!` in a comment before a possible statement.
 void I8080Pass::warn_about_bang_in_comment() {
-  if (!final_ || statement_.text.find('!') == std::string_view::npos) return;
+  if (!engine_.final() || statement_.text.find('!') == std::string_view::npos) return;
   const std::string_view text = statement_.text;
   for (std::size_t at = text.find('!', start_of_comment(text, 0)); at != std::string_view::npos; at = text.find('!', at + 1)) {
     const std::size_t from = skip_blanks(text, at + 1);
@@ -149,13 +149,13 @@ bool I8080Pass::is_label_before(const Word* first, const std::string& second) co
 }
 
 void I8080Pass::execute(const Head& head) {
-  const Word* const known = program_.vocabulary.find(head.operation);
+  const Word* const known = find_word(head.operation);
   const auto macro = macros_.find(head.operation);
   const bool is_directive = known != nullptr && known->kind == WordKind::directive && macro == macros_.end();
   const bool names_something =
       is_directive && (known->directive == Directive::equ || known->directive == Directive::set ||
                        known->directive == Directive::macro);
-  if (head.two_colons) share(key_of(head.label, rules_));
+  if (head.two_colons) engine_.declare(key_of(head.label, rules_), false);
   if (!head.label.empty() && !names_something) define_label(head);
   if (macro != macros_.end()) return call(Macro(macro->second), head.operands);
   read_operands(head.operands);
@@ -171,7 +171,7 @@ void I8080Pass::execute(const Head& head) {
 
 void I8080Pass::define_label(const Head& head) {
   const std::uint32_t value = (statement_location_ + phase_) & 0xFFFFU;
-  enter(head.label, head.label_at, I8080SymbolKind::label, {value, true, false, false}, head.colon);
+  enter(head.label, head.label_at, SymbolKind::label, {value, true, false, false}, head.colon);
   shown_value_ = value;
 }
 

@@ -1,6 +1,7 @@
 #include "tools/asm/i8080/vocabulary.hpp"
 
 #include <array>
+#include <unordered_map>
 #include <utility>
 
 namespace sightline::assembler {
@@ -99,28 +100,29 @@ constexpr std::array operators{
     std::pair{"nul", O::nul},
 };
 
-}  // namespace
-
-Vocabulary::Vocabulary() {
-  for (const auto& [name, directive] : directives) words_[name] = {WordKind::directive, {}, directive, {}, 0};
-  for (const auto& [name, operation] : operators) words_[name] = {WordKind::operation, {}, {}, operation, 0};
-  const auto add_registers = [this](const auto& names, unsigned step) {
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      words_[std::string(names[i])] = {
-          WordKind::register_name, {}, {}, {}, static_cast<std::uint8_t>(step * i)};
-    }
+std::unordered_map<std::string, Word> make_vocabulary() {
+  std::unordered_map<std::string, Word> words;
+  for (const auto& [name, directive] : directives) words[name] = {WordKind::directive, {}, directive, {}, 0};
+  for (const auto& [name, operation] : operators) words[name] = {WordKind::operation, {}, {}, operation, 0};
+  const auto add_registers = [&words](const auto& names, unsigned step) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+      words[std::string(names[i])] = {WordKind::register_name, {}, {}, {}, static_cast<std::uint8_t>(step * i)};
   };
   add_registers(i8080::pair_names, 2);
   add_registers(i8080::psw_pair_names, 2);
   add_registers(i8080::register_names, 1);
   for (const i8080::Instruction& row : i8080::instructions) {
-    if (!row.duplicate) words_[std::string(row.mnemonic)].rows.push_back(&row);
+    if (!row.duplicate) words[std::string(row.mnemonic)].rows.push_back(&row);
   }
+  return words;
 }
 
-const Word* Vocabulary::find(const std::string& name) const {
-  const auto found = words_.find(name);
-  return found == words_.end() ? nullptr : &found->second;
+}  // namespace
+
+const Word* find_word(const std::string& name) {
+  static const std::unordered_map<std::string, Word> words = make_vocabulary();
+  const auto found = words.find(name);
+  return found == words.end() ? nullptr : &found->second;
 }
 
 }  // namespace sightline::assembler

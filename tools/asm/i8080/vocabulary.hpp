@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "emulators/i8080/isa.hpp"
@@ -91,14 +90,7 @@ struct Word {
   std::uint8_t value = 0;  // of a register: its code; SP and PSW are 6
 };
 
-class Vocabulary {
- public:
-  Vocabulary();
-  // By folded name; nullptr if the word is not reserved.
-  [[nodiscard]] const Word* find(const std::string& name) const;
-
- private:
-  std::unordered_map<std::string, Word> words_;
-};
+// By folded name; nullptr if the word is not reserved.
+[[nodiscard]] const Word* find_word(const std::string& name);
 
 }  // namespace sightline::assembler

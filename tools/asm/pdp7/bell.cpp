@@ -6,7 +6,7 @@
 #include "emulators/core/word.hpp"
 #include "emulators/pdp7/isa.hpp"
 #include "host/base/number.hpp"
-#include "tools/asm/pdp7/characters.hpp"
+#include "tools/asm/pdp7/dec.hpp"
 #include "tools/image/core_image.hpp"
 
 namespace sightline::assembler {
@@ -15,35 +15,41 @@ namespace {
 constexpr std::uint32_t last_location = image::field_mask;  // 017777 (assm2)
 constexpr std::string_view location_name = ".";
 constexpr std::string_view base_name = "..";
+constexpr std::uint32_t left_half = 9;  // bits that a character in the left half of a word is shifted by
+constexpr std::string_view an_operand = "a name, a number, '.' or a character <a";
+
+std::uint32_t code_of(char c) {
+  return static_cast<unsigned char>(c);
+}
+
+bool seven_bits(char c) {
+  return c >= ' ' && code_of(c) < 0177;
+}
+
+// A letter by the character classes of as.s (lactab, class 6).
+bool bell_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.' || c == '*';
+}
+
+// Symbol::form of a relocatable symbol, and the mark of a relocatable value among the places of the engine: `..` is added to
+// both.
+constexpr int relocatable_form = 100;
+constexpr std::uint32_t relocatable_mark = 01000000;
 
 }  // namespace
 
-void enter_bell_symbols(SymbolTable& symbols) {
-  Symbol& sys = symbols["sys"];
-  sys.kind = SymbolKind::permanent;
-  sys.value = pdp7::indirect_bit;  // cal i
-  sys.form = static_cast<int>(Form::memory);
-}
-
 void relocate_bell_symbols(Pdp7Program& program) {
-  for (auto& [key, symbol] : program.symbols) {
-    if (symbol.form != relocatable_form || !symbol.value) continue;
-    symbol.value = (*symbol.value + program.base.value_or(first_bell_base)) & core::Word18::mask;
-    symbol.form = 0;
+  for (auto& [key, symbol] : program.engine.symbols()) {
+    if (symbol.form == relocatable_form && symbol.value)
+      symbol.value = (*symbol.value + program.base.value_or(first_bell_base)) & core::Word18::mask;
   }
 }
 
-BellPass::BellPass(std::span<const SourceFile> sources, Pdp7Program& program, int number, bool final)
-    : sources_(sources), program_(program), number_(number), final_(final) {
-  program_.base.reset();
-}
-
 void BellPass::run() {
-  for (std::size_t i = 0; i < sources_.size(); ++i) read_file(i);
-  program_.relative_labels = relative_;
+  for (std::size_t i = 0; i < engine_.sources(); ++i) read_file(i);
 }
 
-// --- Characters ---
+// --- Characters
 
 char BellPass::peek(std::size_t ahead) const {
   return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
@@ -73,7 +79,7 @@ std::string BellPass::found() const {
   if (at_ >= text_.size()) return "the end of the file";
   const char c = text_[at_];
   if (c == '\n' || c == ';' || c == '"') return "the end of the statement";
-  const std::string shown = describe({TokenKind::bad, text_.substr(at_, 1), position(), false});
+  const std::string shown = in_quotes(text_.substr(at_, 1));
   switch (c) {
     case ',': return shown + ", which ends a tag in --dialect dec";
     case '/': return shown + ", an origin or a comment of --dialect dec";
@@ -87,11 +93,12 @@ std::string BellPass::found() const {
   }
 }
 
-// --- Statements ---
+// --- Statements
 
 void BellPass::read_file(std::size_t index) {
   file_ = index;
-  text_ = sources_[index].text;
+  engine_.begin_source(index);
+  text_ = engine_.file(index).text;
   at_ = 0;
   line_ = 1;
   line_start_ = 0;
@@ -131,6 +138,10 @@ bool BellPass::label_or_assignment() {
     while (is_pdp7_digit(peek())) ++at_;
     name = text_.substr(start, at_ - start);
   }
+  // 9f: and 9b = set what 9f and 9b mean from here on to the next 9: (assm4, assm5).
+  const bool sets_relative = !named && name.size() == 1 && (peek() == 'f' || peek() == 'b') &&
+                             !bell_letter(peek(1)) && !is_pdp7_digit(peek(1));
+  const char direction = sets_relative ? text_[at_++] : '\0';
   skip_blanks();
   const char next = peek();
   const bool right_half = peek(1) == '>';  // :> and => are characters
@@ -143,10 +154,13 @@ bool BellPass::label_or_assignment() {
     define_label(name, at);
   } else if (named) {
     assign(name, at);
+  } else if (sets_relative) {
+    set_relative_label(static_cast<std::size_t>(name[0] - '0'), direction == 'f', next == '=');
   } else if (next == ':' && name.size() == 1) {
-    define_relative_label(name[0]);
+    base_used_ = true;
+    engine_.places(static_cast<std::size_t>(name[0] - '0')).add(packed(location_));
   } else {
-    error(at, shown_name(std::string(name.substr(0, 40)) + next), "a relative label 0: to 9:, or a name");
+    error(at, in_quotes(std::string(name.substr(0, 40)) + next), "a relative label 0: to 9:, or a name");
     if (next == '=') skip_statement();
   }
   return true;
@@ -158,74 +172,73 @@ void BellPass::define_label(std::string_view name, const Position& at) {
                  "another name; '" + std::string(name) + " =' sets it");
   }
   base_used_ = true;
-  Symbol& symbol = look_up(name, at);
-  const bool again =
-      symbol.kind == SymbolKind::tag && (symbol.defined != at || symbol.defined_in_pass == number_);
-  if (again || symbol.kind == SymbolKind::assigned || symbol.kind == SymbolKind::define) {
-    const std::string where = symbol.defined.line == 0 ? "the command line"
-                                                       : sources_[symbol.defined.file].name + ":" +
-                                                             std::to_string(symbol.defined.line);
-    return error(at, "label " + shown_name(name) + ", already defined at " + where, "another name");
-  }
+  Symbol& symbol = engine_.look_up(name, at);
+  if (symbol.kind == SymbolKind::define)
+    return error(at, "label " + in_quotes(name) + ", already defined at the command line", "another name");
+  if (engine_.is_defined(symbol)) set_again(symbol, name, at);
   if (symbol.kind == SymbolKind::permanent) symbol.was_permanent = true;
-  if (symbol.was_permanent) {
-    warning(at, "label " + shown_name(name) + ", which hides the instruction of this name",
-            "another name");
-  }
-  if (final_ && symbol.value != location_.value) {
-    error(at, "label " + shown_name(name) + " at another location than in the pass before",
-          "locations that do not depend on themselves");
-  }
-  symbol.kind = SymbolKind::tag;
-  symbol.defined = at;
-  symbol.value = location_.value;
-  symbol.form = location_.relocatable != 0 ? relocatable_form : 0;
-  symbol.defined_in_pass = number_;
+  if (symbol.was_permanent)
+    engine_.warning(at, "label " + in_quotes(name) + ", which hides the instruction of this name", "another name");
+  engine_.define(symbol, SymbolKind::label, location_.value, at, location_.relocatable != 0 ? relocatable_form : 0);
 }
 
-void BellPass::define_relative_label(char digit) {
-  base_used_ = true;
-  relative_[static_cast<std::size_t>(digit - '0')].push_back(
-      location_.value | (location_.relocatable != 0 ? relocatable_label : 0));
+// `as` lets a name be set again (assm4). Before its first place in the source a name has its last value.
+void BellPass::set_again(Symbol& symbol, std::string_view name, const Position& at) {
+  if (!engine_.final() || std::exchange(symbol.set_again, true)) return;
+  engine_.warning(at, in_quotes(name) + " set again",
+                  "another name than at " + engine_.where(symbol.defined) + "; before that line it has its last value");
 }
 
-void BellPass::assign(std::string_view name, const Position& at) {
-  in_location_ = name == location_name || name == base_name;
+// 9f: and 9f = set what 9f means from here to the next 9:, and 9b likewise.
+void BellPass::set_relative_label(std::size_t digit, bool forward, bool assigned) {
+  if (!assigned) base_used_ = true;
+  const auto value = assigned ? assigned_value() : location_;
+  if (!value) return skip_statement();
+  if (!value->known) return engine_.await_value();
+  Places& labels = engine_.places(digit);
+  forward ? labels.set_next(packed(*value)) : labels.set_last(packed(*value));
+}
+
+std::optional<BellPass::Number> BellPass::assigned_value() {
   instruction_.reset();
   skip_blanks();
   const Position place = position();
   const auto read = expression();
+  return read ? check_relocation(*read, place) : read;
+}
+
+void BellPass::assign(std::string_view name, const Position& at) {
+  in_location_ = name == location_name || name == base_name;
+  skip_blanks();
+  const Position place = position();
+  const auto value = assigned_value();
   in_location_ = false;
-  const auto value = read ? check_relocation(*read, place) : read;
   if (!value) return skip_statement();
   if (name == location_name) return set_location(*value, place);
   if (name == base_name) return set_base(*value, place);
-  Symbol& symbol = look_up(name, at);
+  Symbol& symbol = engine_.look_up(name, at);
   if (symbol.kind == SymbolKind::define) return;
-  if (symbol.kind == SymbolKind::tag) {
-    return error(at, "an assignment to " + shown_name(name) + ", which is a label", "another name");
-  }
+  if (symbol.kind == SymbolKind::label && engine_.is_defined(symbol)) set_again(symbol, name, at);
   const int form = value->relocatable != 0 ? relocatable_form : 0;
   const bool same = symbol.kind == SymbolKind::permanent && symbol.value == value->value && form == 0;
   if (symbol.kind == SymbolKind::permanent && !same && value->known) symbol.was_permanent = true;
   if (symbol.was_permanent) {
-    warning(at, "an assignment to " + shown_name(name) + ", which changes the instruction of this name",
-            "another name");
-  }
-  const bool first = symbol.defined_in_pass != number_;
-  if (!first && value->known && symbol.value && symbol.value != value->value) symbol.several_values = true;
-  if (final_ && first && !symbol.several_values && symbol.value != value->value) {
-    error(at, shown_name(name) + " with another value than in the pass before",
-          "a definition that does not depend on itself");
+    engine_.warning(at, "an assignment to " + in_quotes(name) + ", which changes the instruction of this name",
+                    "another name");
   }
   // A source may define an instruction again with the same value; it stays an instruction.
   const bool known_instruction = same || (symbol.form != 0 && symbol.form != relocatable_form &&
                                           !symbol.was_permanent && symbol.value == value->value);
-  if (first) symbol.defined = at;
-  symbol.kind = SymbolKind::assigned;
-  symbol.value = value->known ? std::optional(value->value) : std::nullopt;
-  if (!known_instruction) symbol.form = form;
-  symbol.defined_in_pass = number_;
+  engine_.define(symbol, SymbolKind::assigned, value->known ? std::optional(value->value) : std::nullopt, at,
+                 known_instruction ? symbol.form : form);
+}
+
+std::uint32_t BellPass::packed(const Number& value) {
+  return value.value | (value.relocatable != 0 ? relocatable_mark : 0);
+}
+
+BellPass::Number BellPass::unpacked(std::uint32_t packed) {
+  return {packed & core::Word18::mask, (packed & relocatable_mark) != 0 ? 1 : 0, true};
 }
 
 void BellPass::set_location(const Number& value, const Position& at) {
@@ -276,17 +289,9 @@ bool BellPass::location_in_core(const Position& at) {
 }
 
 void BellPass::emit(std::uint32_t word, const Position& at) {
-  if (final_ && location_in_core(at)) {
+  if (engine_.final() && location_in_core(at)) {
     const std::uint32_t address = relocated(location_);
-    const auto [place, added] = occupied_.try_emplace(address, at);
-    if (!added) {
-      const Position& first = place->second;
-      warning(at,
-              "a second word at " + base::octal(address, 6) + ", which replaces that of " +
-                  sources_[first.file].name + ":" + std::to_string(first.line),
-              "one word per location");
-    }
-    program_.words.push_back({at, address, word, {}});
+    program_.put(at, address, word, base::octal(address, 6), "location");
   }
   location_.value = (location_.value + 1) & core::Word18::mask;
 }
@@ -296,28 +301,180 @@ std::uint32_t BellPass::relocated(const Number& value) const {
   return (value.value + base) & core::Word18::mask;
 }
 
-Symbol& BellPass::look_up(std::string_view name, const Position& at) {
-  Symbol& symbol = program_.symbols[name];
-  if (final_ && (name.size() > 8 || symbol.name.size() > 8) && name != symbol.name &&
-      clashes_.insert(std::string(name)).second) {
-    warning(at, shown_name(name) + ", the same symbol as " + shown_name(symbol.name),
-            "names that differ in their first eight characters");
+// --- Expressions
+
+// Sums, separated by blanks, are ORed.
+std::optional<BellPass::Number> BellPass::expression() {
+  std::optional<Number> left = sum();
+  for (skip_blanks(); left && !at_end_of_statement(); skip_blanks()) {
+    const char before = text_[at_ - 1];
+    const bool separated = before == ' ' || before == '\t' || before == '\r' || before == '\f';
+    if (!separated && !after_left_character_) return left;
+    const std::optional<Number> right = sum();
+    if (!right) return std::nullopt;
+    left = Number{left->value | right->value, left->relocatable + right->relocatable,
+                  left->known && right->known};
   }
-  return symbol;
+  return left;
 }
 
-void BellPass::report(Severity severity, const Position& at, std::string found, std::string expected) {
-  if (!final_) return;
-  program_.diagnostics.emplace_back(at, Diagnostic{severity, sources_[at.file].name, at.line, at.column,
-                                                   std::move(found), std::move(expected)});
+std::optional<BellPass::Number> BellPass::sum() {
+  std::optional<Number> left;
+  const bool sign = (peek() == '+' || peek() == '-') && peek(1) != '>';
+  if (sign) {
+    left = Number{};
+  } else {
+    left = operand();
+  }
+  for (;;) {
+    if (!left) return left;
+    const std::size_t behind = at_;
+    skip_blanks();
+    const char operation = peek();
+    if (operation != '+' && operation != '-') {
+      at_ = behind;
+      return left;
+    }
+    ++at_;
+    skip_blanks();
+    const std::optional<Number> right = operand();
+    if (!right) return std::nullopt;
+    const bool known = left->known && right->known;
+    if (operation == '+') {
+      left = Number{(left->value + right->value) & core::Word18::mask, left->relocatable + right->relocatable,
+                    known};
+    } else {
+      left = Number{(left->value - right->value) & core::Word18::mask, left->relocatable - right->relocatable,
+                    known};
+    }
+  }
 }
 
-void BellPass::error(const Position& at, std::string found, std::string expected) {
-  report(Severity::error, at, std::move(found), std::move(expected));
+std::optional<BellPass::Number> BellPass::operand() {
+  after_left_character_ = false;
+  const Position at = position();
+  if (at_end_of_statement()) {
+    error(at, found(), std::string(an_operand));
+    return std::nullopt;
+  }
+  if (peek() == '<' || peek() == '>' || peek(1) == '>') return character();
+  if (is_pdp7_digit(peek())) return number();
+  if (bell_letter(peek())) return symbol(take_name(), at);
+  error(at, found(), std::string(an_operand));
+  return std::nullopt;
 }
 
-void BellPass::warning(const Position& at, std::string found, std::string expected) {
-  report(Severity::warning, at, std::move(found), std::move(expected));
+// <a, a> and >a. The last is not in as.s; printed sources have it, and as7 (pdp7-unix, tools/as7) reads it as
+// a>.
+std::optional<BellPass::Number> BellPass::character() {
+  const Position at = position();
+  const bool left = peek() == '<';
+  const bool behind = !left && peek(1) != '>';
+  const char c = left || behind ? peek(1) : peek();
+  if (!seven_bits(c) || (left && c == '"')) {
+    error(at,
+          "no character " + std::string(left || behind ? "after '" : "before '") + (left ? '<' : '>') + "'",
+          c == '"' ? "another than '\"', which begins a comment; its code is 042"
+                   : "one of ASCII, blank to '~', or its code as a number");
+    return std::nullopt;
+  }
+  advance(2);
+  after_left_character_ = left;  // an operand after <a needs no blank before it
+  return Number{left ? code_of(c) << left_half : code_of(c), 0, true};
+}
+
+std::optional<BellPass::Number> BellPass::number() {
+  const Position at = position();
+  const std::size_t start = at_;
+  while (is_pdp7_digit(peek())) ++at_;
+  const std::string_view digits = text_.substr(start, at_ - start);
+  const char next = peek();
+  if (digits.size() == 1 && (next == 'f' || next == 'b') && !bell_letter(peek(1)) && !is_pdp7_digit(peek(1))) {
+    ++at_;
+    return relative_label(at, static_cast<std::size_t>(digits[0] - '0'), next == 'f');
+  }
+  if (bell_letter(next)) {
+    const std::string shown(
+        text_.substr(start, std::min<std::size_t>(take_name().size() + digits.size(), 20)));
+    error(at, "'" + shown + "'", "a number, or a relative label 0b to 9b or 0f to 9f");
+    return std::nullopt;
+  }
+  const bool octal = digits[0] == '0';
+  std::uint32_t n = 0;
+  for (const char c : digits) {
+    if (octal && c > '7') {
+      error(at, "'" + std::string(1, c) + "' in octal number '" + std::string(digits.substr(0, 20)) + "'",
+            "octal digits; a decimal number begins with another digit than 0");
+      return std::nullopt;
+    }
+    n = n * (octal ? 8U : 10U) + code_of(c) - code_of('0');
+    if (n > core::Word18::mask) {
+      error(at, "number '" + std::string(digits.substr(0, 20)) + "'", "at most 0777777, which is 18 bits");
+      return std::nullopt;
+    }
+  }
+  return Number{n, 0, true};
+}
+
+// A forward reference takes its value from the pass before: the next definition after those that this pass has read.
+std::optional<BellPass::Number> BellPass::relative_label(const Position& at, std::size_t digit, bool forward) {
+  const Places& labels = engine_.places(digit);
+  if (const auto label = forward ? labels.next() : labels.last(); label && !(forward && in_location_)) return unpacked(*label);
+  const std::string name = std::to_string(digit);
+  if (forward && in_location_) {
+    error(at, "'" + name + "f' in a location", "a label that is defined before");
+  } else if (forward) {
+    error(at, "'" + name + "f' without a label " + name + ": after it", "the label, or " + name + "b");
+  } else {
+    error(at, "'" + name + "b' without a label " + name + ": before it", "the label, or " + name + "f");
+  }
+  return Number{0, 0, false};
+}
+
+std::optional<BellPass::Number> BellPass::symbol(std::string_view name, const Position& at) {
+  if (name == ".") return location_;
+  if (name == "..") return Number{program_.base.value_or(first_bell_base), 0, true};
+  const Symbol& found = engine_.look_up(name, at);
+  if (found.kind == SymbolKind::undefined) {
+    undefined(name, at);
+    return Number{0, 0, false};
+  }
+  const bool of_source = found.kind == SymbolKind::label || found.kind == SymbolKind::assigned;
+  if (of_source && !engine_.is_defined(found) && in_location_) {
+    error(at, in_quotes(name) + " before its first definition",
+          "a name that is defined before, because the location depends on it");
+    return Number{0, 0, false};
+  }
+  if (!found.value) {
+    error(at, in_quotes(name) + " without a value", "a definition that does not depend on itself");
+    return Number{0, 0, false};
+  }
+  const auto form = static_cast<Form>(found.form);
+  const bool instruction = found.form != relocatable_form && form >= Form::memory;
+  if (instruction && !instruction_) instruction_ = *found.value;
+  return Number{*found.value, found.form == relocatable_form ? 1 : 0, true};
+}
+
+// The message suggests what the writer may have meant: a word of the other dialect, or the other case.
+void BellPass::undefined(std::string_view name, const Position& at) {
+  const std::string shown = in_quotes(name);
+  if (peek() == ',') return error(at, shown + ", a tag of --dialect dec", "a label, with ':' after the name");
+  const std::string lower = lower_case(name);
+  const Symbol* const small = lower == name ? nullptr : engine_.find_in(lower, std::nullopt);
+  if (small != nullptr && small->kind == SymbolKind::permanent) {
+    return error(at, "undefined name " + shown + ", upper case as in --dialect dec", "'" + lower + "'");
+  }
+  if (!pseudo_operation_named(name).empty()) {
+    return error(at, shown + ", a pseudo-operation of --dialect dec", "a name that the sources define");
+  }
+  error(at, "undefined name " + shown, "a label or an assignment in one of the sources");
+}
+
+std::optional<BellPass::Number> BellPass::check_relocation(Number value, const Position& at) {
+  if (!value.known || value.relocatable == 0 || value.relocatable == 1) return value;
+  error(at, value.relocatable < 0 ? "a number minus a location" : "the sum of two locations",
+        "at most one location that is added, or the difference of two");
+  return std::nullopt;
 }
 
 }  // namespace sightline::assembler

@@ -1,5 +1,4 @@
-// The dialect of Bell Laboratories' assembler `as` of 1970: one pass over all sources (pdp7/pass.hpp describes the
-// passes).
+// One pass over all sources in the dialect of Bell Laboratories' assembler `as` of 1970.
 //
 //   label:   1: jmp 1b; jmp 2f     name = expression     . = . + 10      " comment to the end of the line
 //   lac x    dac x i    dac i 8    spa cla    -1    sys open; name; 0    <ab>    <a 012    a>
@@ -11,7 +10,9 @@
 // - Blank is OR. `+` and `-` bind more tightly, and blanks next to them have no effect (gpair, expr).
 // - `<a` is a character in the left half of a word, `a>` in the right half, so `<ab>` both (lqot, rqot).
 // - `1:` can be defined often: 1b is the last definition before, 1f the next one after; there are ten, 0 to 9
-//   (assm3, gs3).
+//   (assm3, gs3). `1f:` and `1b:` set what 1f and 1b mean from there on to the next `1:` (assm4).
+// - A label or variable may be set again; before the first place it has the last value (assm4, lookup). A label that is set
+//   again draws a warning.
 // - `.` and labels are relocatable: the value of `..`, 4096 unless the source sets it, is added to a word with one of
 //   them (process). The difference of two is a number.
 // - The last location is 017777 (assm2).
@@ -19,44 +20,30 @@
 // table are defined, and `sys`, which is `cal i`; a source may define them again. It must define the names of system
 // calls.
 //
-// Stricter than as.s, where that would make other words without a message: a name with two places, an operand
-// that changes the instruction, a number above 18 bits, 8 and 9 in an octal number, two operators in
-// succession, a comma (as.s takes it for a blank), `..` set after the first word or label.
+// Stricter than as.s, where that would make other words without a message: an operand that changes the instruction, a number
+// above 18 bits, 8 and 9 in an octal number, two operators in succession, a comma (as.s takes it for a blank), `..` set after
+// the first word or label.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <map>
 #include <optional>
-#include <set>
-#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
-#include "tools/asm/pdp7/pass.hpp"
+#include "tools/asm/pdp7/program.hpp"
 
 namespace sightline::assembler {
 
 inline constexpr std::uint32_t first_bell_base = 4096;  // `..` unless the source sets it (init, d4096)
-// Symbol::form of a relocatable symbol of this dialect, and the mark of a relocatable value of a relative label: `..` is
-// added to both.
-inline constexpr int relocatable_form = 100;
-inline constexpr std::uint32_t relocatable_label = 01000000;
-
-[[nodiscard]] bool bell_letter(char c);
-
-// A name in quotes as a message shows it: the first 40 characters.
-[[nodiscard]] std::string shown_name(std::string_view name);
-
-// Enters the names that the dialect defines besides the machine's.
-void enter_bell_symbols(SymbolTable& symbols);
+inline constexpr Naming bell_naming{.significant = 8, .in_words = "eight", .any_case = false};
 
 // Adds the value of `..` to the relocatable symbols, after the last pass.
 void relocate_bell_symbols(Pdp7Program& program);
 
 class BellPass {
  public:
-  BellPass(std::span<const SourceFile> sources, Pdp7Program& program, int number, bool final);
+  explicit BellPass(Pdp7Program& program) : program_(program), engine_(program.engine) { program_.base.reset(); }
 
   void run();
 
@@ -82,7 +69,11 @@ class BellPass {
   void statement();
   [[nodiscard]] bool label_or_assignment();
   void define_label(std::string_view name, const Position& at);
-  void define_relative_label(char digit);
+  void set_again(Symbol& symbol, std::string_view name, const Position& at);
+  void set_relative_label(std::size_t digit, bool forward, bool assigned);
+  [[nodiscard]] std::optional<Number> assigned_value();
+  [[nodiscard]] static std::uint32_t packed(const Number& value);
+  [[nodiscard]] static Number unpacked(std::uint32_t packed);
   void assign(std::string_view name, const Position& at);
   void set_location(const Number& value, const Position& at);
   void set_base(const Number& value, const Position& at);
@@ -102,15 +93,12 @@ class BellPass {
   [[nodiscard]] std::uint32_t relocated(const Number& value) const;
   [[nodiscard]] bool location_in_core(const Position& at);
   void emit(std::uint32_t word, const Position& at);
-  Symbol& look_up(std::string_view name, const Position& at);
-  void error(const Position& at, std::string found, std::string expected);
-  void warning(const Position& at, std::string found, std::string expected);
-  void report(Severity severity, const Position& at, std::string found, std::string expected);
+  void error(const Position& at, std::string found, std::string expected) {
+    engine_.error(at, std::move(found), std::move(expected));
+  }
 
-  std::span<const SourceFile> sources_;
   Pdp7Program& program_;
-  int number_;
-  bool final_;
+  Engine& engine_;
   std::string_view text_;
   std::size_t file_ = 0;
   std::size_t at_ = 0;
@@ -118,12 +106,9 @@ class BellPass {
   std::size_t line_start_ = 0;
   Number location_{0, 1, true};
   bool base_used_ = false;                    // a word or a label used `..`, which must not change any more
-  bool after_left_character_ = false;             // the operand just read was <a
+  bool after_left_character_ = false;         // the operand just read was <a
   bool in_location_ = false;                  // reading the new value of `.` or `..`
   std::optional<std::uint32_t> instruction_;  // the first name of a word, if it is one of the machine
-  std::array<std::vector<std::uint32_t>, 10> relative_;  // definitions in this pass
-  std::map<std::uint32_t, Position> occupied_;
-  std::set<std::string> clashes_;
 };
 
 }  // namespace sightline::assembler

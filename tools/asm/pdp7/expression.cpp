@@ -2,7 +2,7 @@
 
 #include "emulators/core/word.hpp"
 #include "host/base/number.hpp"
-#include "tools/asm/pdp7/pass.hpp"
+#include "tools/asm/pdp7/dec.hpp"
 
 namespace sightline::assembler {
 namespace {
@@ -19,7 +19,7 @@ std::string dialect_of(std::string_view name) {
 
 }  // namespace
 
-bool Pdp7Pass::starts_a_term() const {
+bool DecPass::starts_a_term() const {
   switch (token_.kind) {
     case TokenKind::name:
     case TokenKind::number:
@@ -30,7 +30,7 @@ bool Pdp7Pass::starts_a_term() const {
   }
 }
 
-std::optional<Value> Pdp7Pass::expression() {
+std::optional<Value> DecPass::expression() {
   std::optional<Value> left = term();
   while (left) {
     const Position at = token_.at;
@@ -41,19 +41,17 @@ std::optional<Value> Pdp7Pass::expression() {
     if (is_operator) advance();
     const std::optional<Value> right = term();
     if (!right) return std::nullopt;
-    std::vector<Remark> remarks;
     switch (kind) {
       case TokenKind::minus: left = arithmetic_.difference(*left, *right); break;
       case TokenKind::bang: left = arithmetic_.logical(*left, *right, false); break;
       case TokenKind::ampersand: left = arithmetic_.logical(*left, *right, true); break;
-      default: left = arithmetic_.combine(*left, *right, remarks); break;
+      default: left = arithmetic_.combine(*left, *right, at); break;
     }
-    remark(at, remarks);
   }
   return left;
 }
 
-std::optional<Value> Pdp7Pass::term() {
+std::optional<Value> DecPass::term() {
   bool negative = false;
   bool sign = false;
   for (; token_.kind == TokenKind::plus || token_.kind == TokenKind::minus; advance()) {
@@ -66,7 +64,7 @@ std::optional<Value> Pdp7Pass::term() {
   return value;
 }
 
-std::optional<Value> Pdp7Pass::primary() {
+std::optional<Value> DecPass::primary() {
   switch (token_.kind) {
     case TokenKind::number: return number();
     case TokenKind::name:
@@ -80,7 +78,7 @@ std::optional<Value> Pdp7Pass::primary() {
   return std::nullopt;
 }
 
-std::optional<Value> Pdp7Pass::number() {
+std::optional<Value> DecPass::number() {
   const Token token = token_;
   advance();
   const char highest = decimal_ ? '9' : '7';
@@ -108,7 +106,7 @@ std::optional<Value> Pdp7Pass::number() {
 }
 
 // name, #name or name#, with # or $
-std::optional<Value> Pdp7Pass::symbol() {
+std::optional<Value> DecPass::symbol() {
   bool marked = token_.kind == TokenKind::hash;
   if (marked) advance();
   if (token_.kind != TokenKind::name) {
@@ -124,20 +122,20 @@ std::optional<Value> Pdp7Pass::symbol() {
   Symbol& found = look_up(name);
   if (marked) mark_variable(found, name);
   if (found.kind == SymbolKind::undefined) {
-    const bool external = program_.externals.contains(program_.symbols.key(name.text)) && !is_own(name.text);
+    const bool external = engine_.means_external(engine_.naming().key(name.text));
     if (!options_.undefined_are_variables && !external) {  // an undeclared external is reported at its declaration
       error(name.at, "undefined symbol " + describe(name) + dialect_of(name.text),
             "a tag, an assignment, or #" + std::string(name.text));
     }
     return Value::unknown();
   }
-  if (found.several_values && found.defined_in_pass != number_) {
+  if (found.set_again && !engine_.is_defined(found)) {
     error(name.at, "symbol " + describe(name) + " before its first assignment",
           "an earlier assignment, because it is assigned several values");
   }
-  const bool of_source = found.kind == SymbolKind::tag || found.kind == SymbolKind::assigned ||
+  const bool of_source = found.kind == SymbolKind::label || found.kind == SymbolKind::assigned ||
                          found.kind == SymbolKind::variable;
-  if (in_condition_ && of_source && found.defined_in_pass != number_) {
+  if (in_condition_ && of_source && !engine_.is_defined(found)) {
     error(name.at, "symbol " + describe(name) + " in a condition before its definition",
           "a symbol defined before, or by -D");
     return Value::unknown();
@@ -148,21 +146,19 @@ std::optional<Value> Pdp7Pass::symbol() {
   return Value::unknown();
 }
 
-void Pdp7Pass::mark_variable(Symbol& symbol, const Token& at) {
+void DecPass::mark_variable(Symbol& symbol, const Token& name) {
   if (symbol.kind == SymbolKind::undefined) {
     symbol.kind = SymbolKind::variable;
-    symbol.defined = at.at;
+    symbol.defined = name.at;
   }
   if (symbol.kind != SymbolKind::variable) {
-    error(at.at, "'#' at symbol " + describe(at) + ", which is defined otherwise",
-          "another name for the variable");
-    return;
+    return error(name.at, "'#' at symbol " + describe(name) + ", which is defined otherwise", "another name for the variable");
   }
-  const std::string key = is_own(at.text) ? program_.symbols.own_key(at.text, source_) : program_.symbols.key(at.text);
+  const std::string key = engine_.table_key(engine_.naming().key(name.text));
   if (!placed_variables_.contains(key)) pending_variables_.insert(key);
 }
 
-std::optional<Value> Pdp7Pass::literal() {
+std::optional<Value> DecPass::literal() {
   const Position at = token_.at;
   if (nesting_ == deepest_literal) {
     error(at, "a literal nested more than " + std::to_string(deepest_literal) + " deep", "fewer parentheses");
@@ -175,29 +171,26 @@ std::optional<Value> Pdp7Pass::literal() {
   --nesting_;
   if (!content) return std::nullopt;
   if (token_.kind == TokenKind::close) advance();
-  const std::uint32_t index = literal_index(word_of(*content, inside), content->known);
-  if (pools_placed_ >= program_.pool_bases.size()) return Value::unknown();
-  return Value::number((program_.pool_bases[pools_placed_] + index) & image::last_address);
+  const std::uint32_t word = word_of(*content, inside);
+  const std::uint32_t index = literal_index(content->known ? std::optional(word) : std::nullopt);
+  const auto pool = engine_.places(0).next();
+  return pool ? Value::number((*pool + index) & image::last_address) : Value::unknown();
 }
 
-std::uint32_t Pdp7Pass::literal_index(std::uint32_t word, bool known) {
+// An unknown literal may turn out to be equal to another.
+std::uint32_t DecPass::literal_index(std::optional<std::uint32_t> word) {
   const auto next = static_cast<std::uint32_t>(pool_.size());
-  if (known) {
-    const auto [place, added] = pool_index_.try_emplace(word, next);
+  if (word) {
+    const auto [place, added] = pool_index_.try_emplace(*word, next);
     if (!added) return place->second;
+  } else {
+    engine_.await_value();
   }
-  pool_.push_back({word, known});
+  pool_.push_back(word.value_or(0));
   return next;
 }
 
-std::uint32_t Pdp7Pass::word_of(const Value& value, const Position& at) {
-  std::vector<Remark> remarks;
-  const std::uint32_t word = arithmetic_.word(value, location_, remarks);
-  remark(at, remarks);
-  return word;
-}
-
-std::optional<std::uint32_t> Pdp7Pass::address_of(const Value& value, const Position& at,
+std::optional<std::uint32_t> DecPass::address_of(const Value& value, const Position& at,
                                                   std::string_view what, const char* hint) {
   if (!value.known) return std::nullopt;
   const std::uint32_t address = word_of(value, at);

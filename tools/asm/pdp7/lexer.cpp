@@ -1,7 +1,5 @@
 #include "tools/asm/pdp7/lexer.hpp"
 
-#include "tools/asm/pdp7/characters.hpp"
-
 namespace sightline::assembler {
 namespace {
 
@@ -38,18 +36,18 @@ bool ends_a_term(TokenKind kind) {
 
 }  // namespace
 
-bool Pdp7Lexer::skip_blanks_and_comment() {
+bool DecLexer::skip_blanks_and_comment() {
   const std::size_t start = at_;
   while (at_ < text_.size() && is_pdp7_blank(text_[at_])) ++at_;
   if (peek() == '/' && (at_ != start || !after_term_)) skip_line();
   return at_ != start;
 }
 
-void Pdp7Lexer::skip_line() {
+void DecLexer::skip_line() {
   while (at_ < text_.size() && text_[at_] != '\n') ++at_;
 }
 
-Token Pdp7Lexer::take(TokenKind kind, std::size_t length, bool after_blank) {
+Token DecLexer::take(TokenKind kind, std::size_t length, bool after_blank) {
   const Token token{kind, text_.substr(at_, length), position(), after_blank};
   at_ += length;
   after_term_ = ends_a_term(kind);
@@ -60,7 +58,7 @@ Token Pdp7Lexer::take(TokenKind kind, std::size_t length, bool after_blank) {
   return token;
 }
 
-Token Pdp7Lexer::next() {
+Token DecLexer::next() {
   const bool after_blank = skip_blanks_and_comment();
   if (at_ == text_.size()) return take(TokenKind::end, 0, after_blank);
   const char first = text_[at_];
@@ -70,7 +68,7 @@ Token Pdp7Lexer::next() {
   return take(letter(first) ? TokenKind::name : TokenKind::number, length, after_blank);
 }
 
-Token Pdp7Lexer::delimited() {
+Token DecLexer::delimited() {
   while (at_ < text_.size() && is_pdp7_blank(text_[at_])) ++at_;
   const char delimiter = peek();
   const std::size_t line_end = std::min(text_.find('\n', at_), text_.size());

@@ -5,9 +5,13 @@
 #include <cstdint>
 #include <string_view>
 
-#include "tools/asm/source.hpp"
+#include "tools/asm/assembly.hpp"
 
 namespace sightline::assembler {
+
+// Characters that both dialects read alike.
+[[nodiscard]] constexpr bool is_pdp7_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f'; }
+[[nodiscard]] constexpr bool is_pdp7_digit(char c) { return c >= '0' && c <= '9'; }
 
 enum class TokenKind : std::uint8_t {
   name,
@@ -38,9 +42,9 @@ struct Token {
   bool after_blank = false;
 };
 
-class Pdp7Lexer {
+class DecLexer {
  public:
-  Pdp7Lexer(std::string_view text, std::size_t file) : text_(text), file_(file) {}
+  DecLexer(std::string_view text, std::size_t file) : text_(text), file_(file) {}
 
   [[nodiscard]] Token next();
   // TEXT: the characters between the next character that is not blank and its second occurrence on the line. The token

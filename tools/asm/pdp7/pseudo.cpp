@@ -2,7 +2,7 @@
 #include <array>
 #include <utility>
 
-#include "tools/asm/pdp7/pass.hpp"
+#include "tools/asm/pdp7/dec.hpp"
 
 namespace sightline::assembler {
 namespace {
@@ -29,7 +29,7 @@ std::string_view pseudo_operation_named(std::string_view word) {
   return {};
 }
 
-bool Pdp7Pass::pseudo_operation() {
+bool DecPass::pseudo_operation() {
   const Position at = token_.at;
   const std::string_view name = pseudo_operation_named(token_.text);
   if (name.empty()) return false;
@@ -53,7 +53,7 @@ bool Pdp7Pass::pseudo_operation() {
   return true;
 }
 
-void Pdp7Pass::text() {
+void DecPass::text() {
   const Position at = token_.at;
   const Token inside = lexer_.delimited();
   advance();
@@ -79,11 +79,12 @@ void Pdp7Pass::text() {
   if (filled != 0) emit(word << (6 * (3 - filled)), at);
 }
 
-void Pdp7Pass::conditional(bool when_zero) {
+void DecPass::conditional(bool when_zero) {
   const Position at = token_.at;
   in_condition_ = true;
   const std::optional<Value> value = expression();
   in_condition_ = false;
+  if (value && !value->known) engine_.await_value();
   if (token_.kind != TokenKind::less) {
     if (value) error(token_.at, describe(token_), "'<' after the condition");
     return skip_statement();
@@ -98,7 +99,7 @@ void Pdp7Pass::conditional(bool when_zero) {
 }
 
 // Skips to after the `>` that closes the block. Comments and the strings of TEXT hold no brackets.
-void Pdp7Pass::skip_block(const Position& opened) {
+void DecPass::skip_block(const Position& opened) {
   bool at_start = true;
   for (int depth = 1; depth > 0;) {
     if (token_.kind == TokenKind::end) {
@@ -121,7 +122,7 @@ void Pdp7Pass::skip_block(const Position& opened) {
 
 // PAUSE ends a tape. Several tapes may have been copied into one file: the text after PAUSE is read like another file.
 // Its first line is a title if those of the files are.
-void Pdp7Pass::next_tape() {
+void DecPass::next_tape() {
   if (!at_end_of_statement()) {
     error(token_.at, describe(token_), "the end of the statement");
     return skip_statement();
@@ -134,7 +135,7 @@ void Pdp7Pass::next_tape() {
 
 // EXTERNAL and INTERNAL of the FORTRAN assembly system (DIGITAL-7-3-S, appendix 3): names defined on other tapes, and
 // names that other tapes use. All other names are local to the source. A declared name must be defined.
-void Pdp7Pass::declare(bool external) {
+void DecPass::declare(bool external) {
   if (at_end_of_statement()) error(token_.at, describe(token_), "names");
   for (; !at_end_of_statement(); advance()) {
     if (token_.kind == TokenKind::comma) continue;
@@ -145,22 +146,20 @@ void Pdp7Pass::declare(bool external) {
     if (look_up(token_).kind == SymbolKind::permanent)
       error(token_.at, "permanent symbol " + describe(token_), "another name");
     declared_.emplace_back(token_, external);
-    Pdp7Program::Module& module = program_.modules[source_];
-    module.declares = true;
-    module.shared.insert(program_.symbols.key(token_.text));
-    if (external) program_.externals.insert(program_.symbols.key(token_.text));
+    engine_.declare(engine_.naming().key(token_.text), external);
   }
 }
 
-void Pdp7Pass::report_undefined_declarations() {
+void DecPass::report_undefined_declarations() {
   for (const auto& [name, external] : declared_) {
-    if (program_.symbols[name.text].kind != SymbolKind::undefined) continue;
+    const Symbol* const symbol = engine_.find_in(engine_.naming().key(name.text), std::nullopt);
+    if (symbol != nullptr && symbol->kind != SymbolKind::undefined) continue;
     error(name.at, (external ? "external symbol " : "internal symbol ") + describe(name) + ", which no source defines",
           external ? "the source that defines it on the command line, too: there is no linker" : "its definition");
   }
 }
 
-void Pdp7Pass::end_of_file() {
+void DecPass::end_of_file() {
   const Position at = token_.at;
   file_ended_ = true;
   if (!at_end_of_statement()) {
@@ -172,7 +171,7 @@ void Pdp7Pass::end_of_file() {
   if (!blocks_.empty()) return;
   while (token_.kind == TokenKind::newline || token_.kind == TokenKind::semicolon) advance();
   if (token_.kind != TokenKind::end) {
-    warning(token_.at, describe(token_) + " after START, which is not read",
+    engine_.warning(token_.at, describe(token_) + " after START, which is not read",
             "the end of the file");
   }
 }

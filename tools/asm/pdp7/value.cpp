@@ -30,20 +30,6 @@ bool microcode_class(std::uint32_t word) {
   return c == pdp7::Class::eae || c == pdp7::Class::iot || c == pdp7::Class::opr;
 }
 
-// Combinations of OPR bits that assemble but do not act as their names say.
-void remark_on_opr(std::uint32_t a, std::uint32_t b, std::vector<Remark>& remarks) {
-  if (class_of(a) != pdp7::Class::opr) return;
-  constexpr std::uint32_t skip = skip_conditions | skip_inverted;
-  const bool both_skip = (a & skip) != 0 && (b & skip) != 0;
-  if (both_skip && ((a ^ b) & skip_inverted) != 0) {
-    remarks.push_back({Severity::warning, "skips of opposite sense in one word",
-                       "sma sza snl together or spa sna szl together (bit 1000 inverts all of them)"});
-  }
-  if (((a | b) & rotates) == rotates && (a & rotates) != rotates && (b & rotates) != rotates) {
-    remarks.push_back({Severity::warning, "left and right rotate in one word", "one of them"});
-  }
-}
-
 }  // namespace
 
 Form form_of_instruction(std::uint32_t word) {
@@ -76,11 +62,21 @@ std::uint32_t Arithmetic::subtract(std::uint32_t a, std::uint32_t b) const {
   return a == b ? 0 : add(a, negate(b));
 }
 
-std::uint32_t Arithmetic::sum(const Value& value) const {
-  return add(value.head, value.operand);
+// Combinations of OPR bits that assemble but do not act as their names say.
+void Arithmetic::warn_about_opr(std::uint32_t a, std::uint32_t b, const Position& at) const {
+  if (class_of(a) != pdp7::Class::opr) return;
+  constexpr std::uint32_t skip = skip_conditions | skip_inverted;
+  const bool both_skip = (a & skip) != 0 && (b & skip) != 0;
+  if (both_skip && ((a ^ b) & skip_inverted) != 0) {
+    engine_.warning(at, "skips of opposite sense in one word",
+                    "sma sza snl together or spa sna szl together (bit 1000 inverts all of them)");
+  }
+  if (((a | b) & rotates) == rotates && (a & rotates) != rotates && (b & rotates) != rotates) {
+    engine_.warning(at, "left and right rotate in one word", "one of them");
+  }
 }
 
-Value Arithmetic::combine(Value left, Value right, std::vector<Remark>& remarks) const {
+Value Arithmetic::combine(Value left, Value right, const Position& at) const {
   const bool known = left.known && right.known;
   const auto is_instruction = [](const Value& v) { return v.form >= Form::memory; };
   if (!is_instruction(left) && is_instruction(right)) std::swap(left, right);
@@ -96,24 +92,23 @@ Value Arithmetic::combine(Value left, Value right, std::vector<Remark>& remarks)
     result.operand = add(left.operand, right.operand);
   } else if (left.form == Form::memory && right.form == Form::indirect) {
     if ((left.head & pdp7::indirect_bit) != 0)
-      remarks.push_back({Severity::error, "a second i", "one in a word"});
+      engine_.error(at, "a second i", "one in a word");
     result.head |= pdp7::indirect_bit;
   } else if (!is_instruction(right)) {
     result.operand = add(left.operand, right.operand);
   } else if (left.form == Form::micro && right.form == Form::micro && same_class(left.head, right.head)) {
-    remark_on_opr(left.head, right.head, remarks);
+    warn_about_opr(left.head, right.head, at);
     result.head |= right.head;
     result.operand = add(left.operand, right.operand);
   } else if (known) {
-    remarks.push_back({Severity::warning,
-                       "two instructions of different classes in one word, which are added",
-                       "one instruction, or microinstructions of one class"});
+    engine_.warning(at, "two instructions of different classes in one word, which are added",
+                    "one instruction, or microinstructions of one class");
     result = Value::number(add(sum(left), sum(right)));
   }
   return result;
 }
 
-Value Arithmetic::difference(Value left, Value right) const {
+Value Arithmetic::difference(const Value& left, const Value& right) const {
   Value result = left;
   if (right.form >= Form::memory || left.form <= Form::indirect) {
     result = Value::number(subtract(sum(left), sum(right)));
@@ -125,7 +120,7 @@ Value Arithmetic::difference(Value left, Value right) const {
   return result;
 }
 
-Value Arithmetic::logical(Value left, Value right, bool conjunction) const {
+Value Arithmetic::logical(Value left, const Value& right, bool conjunction) const {
   const bool known = left.known && right.known;
   if (!conjunction && left.form == Form::memory && right.form == Form::indirect) {
     left.head |= pdp7::indirect_bit;
@@ -141,36 +136,36 @@ Value Arithmetic::logical(Value left, Value right, bool conjunction) const {
   return result;
 }
 
-Value Arithmetic::negative(Value value) const {
+Value Arithmetic::negative(const Value& value) const {
   Value result = Value::number(negate(sum(value)));
   result.known = value.known;
   return result;
 }
 
 std::uint32_t Arithmetic::address_field(const Value& value, std::uint32_t operand, std::uint32_t location,
-                                        std::vector<Remark>& remarks) const {
+                                        const Position& at) const {
   const std::uint32_t bank = location & bank_mask;
   const bool ignored = pdp7::instruction_of(value.head).operands == pdp7::Operands::none;  // CAL
   if (operand > field_mask && (operand > image::last_address || (operand & bank_mask) != bank)) {
-    remarks.push_back({Severity::error, "address " + octal(operand, 6),
-                       "one from " + octal(bank, 5) + " to " + octal(bank | field_mask, 5)});
+    engine_.error(at, "address " + octal(operand, 6),
+                  "one from " + octal(bank, 5) + " to " + octal(bank | field_mask, 5));
   } else if (operand <= field_mask && bank != 0 && !ignored) {
-    remarks.push_back({Severity::warning, "address " + octal(operand, 5) + " in a word of another bank",
-                       octal(bank | operand, 5) + ", which is what the machine will use"});
+    engine_.warning(at, "address " + octal(operand, 5) + " in a word of another bank",
+                    octal(bank | operand, 5) + ", which is what the machine will use");
   }
   return operand & field_mask;
 }
 
 std::uint32_t Arithmetic::word(const Value& value, std::uint32_t location,
-                               std::vector<Remark>& remarks) const {
+                               const Position& at) const {
   if (!value.known) return 0;
   const std::uint32_t operand =
       value.operand == core::Word18::mask && !twos_complement_ ? 0 : value.operand;  // -0 adds nothing
   switch (value.form) {
-    case Form::memory: return value.head | address_field(value, operand, location, remarks);
+    case Form::memory: return value.head | address_field(value, operand, location, at);
     case Form::law:
       if (operand > field_mask) {
-        remarks.push_back({Severity::error, "LAW " + octal(operand, 6), "a number from 0 to 17777"});
+        engine_.error(at, "LAW " + octal(operand, 6), "a number from 0 to 17777");
       }
       return value.head | (operand & field_mask);
     case Form::micro: {
@@ -180,9 +175,9 @@ std::uint32_t Arithmetic::word(const Value& value, std::uint32_t location,
       const bool fits = counted ? (result & ~step_count_mask) == (value.head & ~step_count_mask)
                                 : same_class(result, value.head);
       if (!fits) {
-        remarks.push_back({Severity::error, "operand " + octal(operand, 6),
-                           counted ? "a step count that keeps bits 12-17 from 00 to 77"
-                                   : "one that leaves the word an " + std::string(row.mnemonic)});
+        engine_.error(at, "operand " + octal(operand, 6),
+                      counted ? "a step count that keeps bits 12-17 from 00 to 77"
+                              : "one that leaves the word an " + std::string(row.mnemonic));
       }
       return result;
     }

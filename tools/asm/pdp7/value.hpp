@@ -5,10 +5,8 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
-#include <vector>
 
-#include "tools/asm/diagnostic.hpp"
+#include "tools/asm/engine.hpp"
 
 namespace sightline::assembler {
 
@@ -31,35 +29,28 @@ struct Value {
   [[nodiscard]] static Value unknown() { return Value{0, 0, Form::plain, false, false}; }
 };
 
-// A diagnostic about an expression, still without its position.
-struct Remark {
-  Severity severity;
-  std::string found;
-  std::string expected;
-};
-
+// Tells the engine what is wrong with an expression at `at`.
 class Arithmetic {
  public:
-  explicit Arithmetic(bool twos_complement) : twos_complement_(twos_complement) {}
+  Arithmetic(bool twos_complement, Engine& engine) : twos_complement_(twos_complement), engine_(engine) {}
 
+  [[nodiscard]] Value combine(Value left, Value right, const Position& at) const;  // space and +
+  [[nodiscard]] Value difference(const Value& left, const Value& right) const;
+  [[nodiscard]] Value logical(Value left, const Value& right, bool conjunction) const;
+  [[nodiscard]] Value negative(const Value& value) const;
+  // The 18-bit word; checks the operand against its field. location: the address of the word, which selects its bank.
+  [[nodiscard]] std::uint32_t word(const Value& value, std::uint32_t location, const Position& at) const;
+
+ private:
   [[nodiscard]] std::uint32_t add(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] std::uint32_t negate(std::uint32_t a) const;
   [[nodiscard]] std::uint32_t subtract(std::uint32_t a, std::uint32_t b) const;
-
-  [[nodiscard]] Value combine(Value left, Value right, std::vector<Remark>& remarks) const;  // space and +
-  [[nodiscard]] Value difference(Value left, Value right) const;
-  [[nodiscard]] Value logical(Value left, Value right, bool conjunction) const;
-  [[nodiscard]] Value negative(Value value) const;
-  // The 18-bit word; checks the operand against its field. location: the address of the word, which selects its bank.
-  [[nodiscard]] std::uint32_t word(const Value& value, std::uint32_t location,
-                                   std::vector<Remark>& remarks) const;
-
- private:
-  [[nodiscard]] std::uint32_t sum(const Value& value) const;
-  [[nodiscard]] std::uint32_t address_field(const Value& value, std::uint32_t operand, std::uint32_t location,
-                                            std::vector<Remark>& remarks) const;
+  [[nodiscard]] std::uint32_t sum(const Value& value) const { return add(value.head, value.operand); }
+  void warn_about_opr(std::uint32_t a, std::uint32_t b, const Position& at) const;
+  [[nodiscard]] std::uint32_t address_field(const Value& value, std::uint32_t operand, std::uint32_t location, const Position& at) const;
 
   bool twos_complement_;
+  Engine& engine_;
 };
 
 // The form of a word that is defined as an instruction, and the split of that word into head and operand.

@@ -152,7 +152,7 @@ std::string errors_with(std::uint32_t fraction) {
   std::vector<assembler::SourceFile> sources;
   for (const auto& [file, text] : firmware_tapes()) sources.push_back({std::string(file), std::string(text)});
   assembler::Options options;
-  options.defines = {{"EAE", core::Word18(1)}, {"FRACTION", core::Word18(fraction)}};
+  options.defines = {{"EAE", 1}, {"FRACTION", fraction}};
   std::string found;
   for (const auto& diagnostic : assembler::assemble_pdp7(sources, options).diagnostics)
     found += to_string(diagnostic) + "\n";

@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "host/scene/check/problems.hpp"
 #include "tests/firmware/jones_core.hpp"
@@ -123,6 +126,38 @@ TEST(JonesRuns, CheckOnlyOnRequest) {
   const auto checked = run(house, {}, order);
   ASSERT_FALSE(checked);
   EXPECT_EQ(checked.error().kind, base::ErrorKind::differs);
+}
+
+// A film of lines added at once: what it lights is in the complete picture, and it is lit little by little.
+TEST(JonesRuns, FilmLinesThatAreAddedAtOnce) {
+  Order order;
+  order.views = 1;
+  order.immediate = true;
+  order.film = true;
+  const auto outcome = run(scene::builtin_scene("house"), {}, order);
+  ASSERT_TRUE(outcome) << outcome.error().message();
+  ASSERT_FALSE(outcome->film.empty());
+  std::set<std::pair<int, int>> complete;
+  for (const core::Stroke& stroke : outcome->pass) complete.emplace(stroke.x, stroke.y);
+  std::vector<std::size_t> lit_by;  // points lit, after each quarter of the time
+  std::set<std::pair<int, int>> lit;
+  const core::Duration length = outcome->film_end.time_since_epoch();
+  auto stroke = outcome->film.begin();
+  for (int quarter = 1; quarter <= 4; ++quarter) {
+    for (; stroke != outcome->film.end() && stroke->time <= core::Instant(length * quarter / 4); ++stroke) {
+      EXPECT_TRUE(complete.contains({stroke->x, stroke->y})) << stroke->x << ',' << stroke->y;
+      lit.emplace(stroke->x, stroke->y);
+    }
+    lit_by.push_back(lit.size());
+  }
+  EXPECT_EQ(stroke, outcome->film.end());
+  for (std::size_t i = 1; i < lit_by.size(); ++i) EXPECT_LT(lit_by[i - 1], lit_by[i]);
+  EXPECT_LE(lit_by.back(), complete.size());
+  // Without the switch the screen is dark until the picture is complete.
+  order.immediate = false;
+  const auto dark = run(scene::builtin_scene("house"), {}, order);
+  ASSERT_TRUE(dark);
+  EXPECT_TRUE(dark->film.empty());
 }
 
 // The program need not accept the scene's own view.

@@ -324,6 +324,142 @@ TEST(ThreeMf, ModifiersOfPrusaSlicerAreLeftOut) {
   EXPECT_EQ(mesh->notes, std::vector<std::string>{"2 modifiers"});
 }
 
+// --- whole packages with the parts, names and attributes that slicers write
+
+constexpr const char* picture = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR";  // the beginning of one
+
+const std::string relations_start =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">\n";
+
+std::string relation(const std::string& target, int id, const std::string& type) {
+  return " <Relationship Target=\"" + target + "\" Id=\"rel-" + std::to_string(id) + "\" Type=\"" + type + "\"/>\n";
+}
+
+const std::string model_type = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
+const std::string thumbnail_type = "http://schemas.openxmlformats.org/package/2006/relationships/metadata/thumbnail";
+
+// A tetrahedron as slicers write it: a line for each element, and attributes of their own in some triangles.
+std::string slicer_mesh(const std::string& painted) {
+  std::string text = "   <mesh>\n    <vertices>\n";
+  for (const auto& c : corners)
+    text += "     <vertex x=\"" + std::to_string(c[0]) + "\" y=\"" + std::to_string(c[1]) + "\" z=\"" + std::to_string(c[2]) + "\"/>\n";
+  text += "    </vertices>\n    <triangles>\n";
+  for (std::size_t t = 0; t < triangles.size(); t += 3)
+    text += "     <triangle v1=\"" + std::to_string(triangles[t]) + "\" v2=\"" + std::to_string(triangles[t + 1]) + "\" v3=\"" +
+            std::to_string(triangles[t + 2]) + "\"" + (t == 3 ? painted : "") + "/>\n";
+  return text + "    </triangles>\n   </mesh>\n";
+}
+
+// Bambu Studio and OrcaSlicer: each object is a part of its own, of which the model places the volumes; modifiers are volumes of type
+// "other"; settings, pictures and tool paths lie in Metadata.
+TEST(ThreeMf, AsBambuStudioWritesIt) {
+  NEEDS_THREE_MF();
+  const std::string spaces =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"millimeter\" xml:lang=\"en-US\"" + core +
+      " xmlns:BambuStudio=\"http://schemas.bambulab.com/package/2021\"" + production + " requiredextensions=\"p\">\n";
+  const auto placed = [](const std::string& path, int id, const std::string& at) {
+    return "    <component p:path=\"" + path + "\" objectid=\"" + std::to_string(id) + "\" p:UUID=\"0001000" + std::to_string(id) +
+           "-b206-40ff-9872-83e8017abed1\" transform=\"1 0 0 0 1 0 0 0 1 " + at + "\"/>\n";
+  };
+  const auto volume = [](int id, const std::string& type) {
+    return "  <object id=\"" + std::to_string(id) + "\" p:UUID=\"0001000" + std::to_string(id) +
+           "-81cb-4c03-9d28-80fed5dfa1dc\" type=\"" + type + "\">\n" + slicer_mesh(" paint_color=\"8\"") + "  </object>\n";
+  };
+  const std::string objects_of_part = spaces + " <metadata name=\"BambuStudio:3mfVersion\">1</metadata>\n <resources>\n";
+  const std::string end_of_part = " </resources>\n <build/>\n</model>\n";
+  const std::vector<PackedFile> files{
+      {"[Content_Types].xml",
+       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">\n"
+       " <Default Extension=\"rels\" ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>\n"
+       " <Default Extension=\"model\" ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/>\n"
+       " <Default Extension=\"png\" ContentType=\"image/png\"/>\n <Default Extension=\"gcode\" ContentType=\"text/x.gcode\"/>\n</Types>\n"},
+      {"Metadata/plate_1.png", picture},
+      {"Metadata/plate_1_small.png", picture},
+      {"Metadata/plate_1.json", "{\"bbox_all\":[120.0,120.0,136.0,136.0],\"filament_colors\":[\"#FFFFFF\"]}"},
+      {"_rels/.rels", relations_start + relation("/Metadata/plate_1.png", 2, thumbnail_type) +
+                          relation("/Metadata/plate_1.png", 4, "http://schemas.bambulab.com/package/2021/cover-thumbnail-middle") +
+                          relation("/3D/3dmodel.model", 1, model_type) + "</Relationships>\n"},
+      {"3D/3dmodel.model",
+       spaces +
+           " <metadata name=\"Application\">BambuStudio-01.09.00.70</metadata>\n <metadata name=\"BambuStudio:3mfVersion\">1</metadata>\n"
+           " <metadata name=\"Title\"></metadata>\n <resources>\n"
+           "  <object id=\"3\" p:UUID=\"00000001-61cb-4c03-9d28-80fed5dfa1dc\" type=\"model\">\n   <components>\n" +
+           placed("/3D/Objects/object_1.model", 1, "0 0 0") + placed("/3D/Objects/object_1.model", 2, "0 0 5") +
+           "   </components>\n  </object>\n"
+           "  <object id=\"5\" p:UUID=\"00000002-61cb-4c03-9d28-80fed5dfa1dc\" type=\"model\">\n   <components>\n" +
+           placed("/3D/Objects/object_2.model", 4, "0.5 0 0") +
+           "   </components>\n  </object>\n </resources>\n <build p:UUID=\"2c7c17d8-22b5-4d84-8835-1976022ea369\">\n"
+           "  <item objectid=\"3\" p:UUID=\"00000003-b1ec-4553-aec9-835e5b724bb4\" transform=\"1 0 0 0 1 0 0 0 1 128 120 0.25\" "
+           "printable=\"1\"/>\n"
+           "  <item objectid=\"5\" p:UUID=\"00000005-b1ec-4553-aec9-835e5b724bb4\" transform=\"2 0 0 0 2 0 0 0 2 10 20 0\" "
+           "printable=\"1\"/>\n"
+           "  <item objectid=\"5\" p:UUID=\"00010005-b1ec-4553-aec9-835e5b724bb4\" transform=\"1 0 0 0 1 0 0 0 1 400 20 0\" "
+           "printable=\"0\"/>\n"
+           " </build>\n</model>\n"},
+      {"3D/_rels/3dmodel.model.rels", relations_start + relation("/3D/Objects/object_1.model", 1, model_type) +
+                                          relation("/3D/Objects/object_2.model", 2, model_type) + "</Relationships>\n"},
+      {"3D/Objects/object_1.model", objects_of_part + volume(1, "model") + volume(2, "other") + end_of_part},
+      {"3D/Objects/object_2.model", objects_of_part + volume(4, "model") + end_of_part},
+      {"Metadata/model_settings.config",
+       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<config>\n  <object id=\"3\">\n    <metadata key=\"name\" value=\"lid &amp; hinge\"/>\n"
+       "    <part id=\"1\" subtype=\"normal_part\">\n      <metadata key=\"matrix\" value=\"1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\"/>\n    </part>\n"
+       "    <part id=\"2\" subtype=\"modifier_part\">\n      <metadata key=\"wall_loops\" value=\"6\"/>\n    </part>\n  </object>\n"
+       "  <plate>\n    <metadata key=\"plater_id\" value=\"1\"/>\n    <metadata key=\"thumbnail_file\" value=\"Metadata/plate_1.png\"/>\n"
+       "  </plate>\n</config>\n"},
+      {"Metadata/project_settings.config", "{\n    \"layer_height\": \"0.2\",\n    \"printable_area\": [\"0x0\", \"256x0\"]\n}\n"},
+      {"Metadata/slice_info.config", "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<config>\n  <header/>\n</config>\n"},
+      {"Metadata/plate_1.gcode", "; HEADER_BLOCK_START\nG28\n"},
+      {"Metadata/plate_1.gcode.md5", "D41D8CD98F00B204E9800998ECF8427E"}};
+  for (const Packing packing : {Packing::stored, Packing::deflated, Packing::zip64}) {
+    const auto mesh = read_three_mf(zip(files, packing), "a");
+    ASSERT_TRUE(mesh) << mesh.error().message();
+    ASSERT_EQ(mesh->bodies.size(), 2U);
+    EXPECT_EQ(points_of(*mesh, mesh->bodies[0]), (Points{{128, 120, 0.25}, {129, 120, 0.25}, {128, 121, 0.25}, {128, 120, 1.25}}));
+    EXPECT_EQ(points_of(*mesh, mesh->bodies[1]), (Points{{11, 20, 0}, {13, 20, 0}, {11, 22, 0}, {11, 20, 2}}));
+    EXPECT_EQ(mesh->unit, "mm");
+    EXPECT_EQ(mesh->notes, (std::vector<std::string>{"1 item that is not to be printed", "1 object of type \"other\""}));
+  }
+}
+
+// PrusaSlicer: all objects are in one model, the volumes of each in one mesh, which a file of settings divides.
+TEST(ThreeMf, AsPrusaSlicerWritesIt) {
+  NEEDS_THREE_MF();
+  const std::vector<PackedFile> files{
+      {"[Content_Types].xml",
+       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">\n"
+       " <Default Extension=\"rels\" ContentType=\"application/vnd.openxmlformats-package.relationships+xml\" />\n"
+       " <Default Extension=\"model\" ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\" />\n"
+       " <Default Extension=\"png\" ContentType=\"image/png\" />\n</Types>\n"},
+      {"Metadata/thumbnail.png", picture},
+      {"_rels/.rels", relations_start + relation("/3D/3dmodel.model", 1, model_type) +
+                          relation("/Metadata/thumbnail.png", 2, thumbnail_type) + "</Relationships>\n"},
+      {"3D/3dmodel.model",
+       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"millimeter\" xml:lang=\"en-US\"" + core +
+           " xmlns:slic3rpe=\"http://schemas.slic3r.org/3mf/2017/06\">\n <metadata name=\"slic3rpe:Version3mf\">1</metadata>\n"
+           " <metadata name=\"slic3rpe:MmPaintingVersion\">1</metadata>\n <metadata name=\"Title\">two</metadata>\n"
+           " <metadata name=\"Application\">PrusaSlicer-2.7.4</metadata>\n <resources>\n  <object id=\"1\" type=\"model\">\n" +
+           slicer_mesh(" slic3rpe:mmu_segmentation=\"8\"") + "  </object>\n  <object id=\"2\" type=\"model\">\n" +
+           slicer_mesh(" slic3rpe:custom_supports=\"4\" slic3rpe:custom_seam=\"8\"") +
+           "  </object>\n </resources>\n <build>\n"
+           "  <item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 125 105 0\" printable=\"1\"/>\n"
+           "  <item objectid=\"2\" transform=\"0 1 0 -1 0 0 0 0 1 50 60 0.5\" printable=\"1\"/>\n </build>\n</model>\n"},
+      {"Metadata/Slic3r_PE.config", "; generated by PrusaSlicer 2.7.4\n\n; avoid_crossing_perimeters = 0\n; layer_height = 0.2\n"},
+      {"Metadata/Slic3r_PE_model.config",
+       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<config>\n <object id=\"1\" instances_count=\"1\">\n"
+       "  <metadata type=\"object\" key=\"name\" value=\"a.stl\"/>\n  <volume firstid=\"0\" lastid=\"3\">\n"
+       "   <metadata type=\"volume\" key=\"name\" value=\"a.stl\"/>\n   <metadata type=\"volume\" key=\"volume_type\" value=\"ModelPart\"/>\n"
+       "   <metadata type=\"volume\" key=\"matrix\" value=\"1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\"/>\n"
+       "   <mesh edges_fixed=\"0\" degenerate_facets=\"0\" facets_removed=\"0\" facets_reversed=\"0\" backwards_edges=\"0\"/>\n"
+       "  </volume>\n </object>\n</config>\n"},
+      {"Metadata/layer_heights_profile.txt", "object_id=1|0;0.2;1;0.2"}};
+  const auto mesh = read_three_mf(zip(files, Packing::deflated), "a");
+  ASSERT_TRUE(mesh) << mesh.error().message();
+  ASSERT_EQ(mesh->bodies.size(), 2U);
+  EXPECT_EQ(points_of(*mesh, mesh->bodies[0]), (Points{{125, 105, 0}, {126, 105, 0}, {125, 106, 0}, {125, 105, 1}}));
+  EXPECT_EQ(points_of(*mesh, mesh->bodies[1]), (Points{{50, 60, 0.5}, {50, 61, 0.5}, {49, 60, 0.5}, {50, 60, 1.5}}));
+  EXPECT_EQ(mesh->notes, std::vector<std::string>{});
+}
+
 TEST(ThreeMf, DamagedArchivesAreNamed) {
   NEEDS_THREE_MF();
   const std::string archive = threemf(quarter_turn);

@@ -53,8 +53,7 @@ TEST(I8080Errors, OneErrorGivesOneMessage) {
       {" EQU 5", "1:2: error: found 'EQU' without a name, expected NAME before it"},
       {" ORG LL\nLL: NOP", "1:6: error: found a forward reference, expected an address known at this line"},
       {" DS LL\nLL: NOP", "1:5: error: found a forward reference, expected a size known at this line"},
-      {" IF LL\n ENDIF\nLL: NOP",
-       "1:5: error: found a forward reference, expected a condition known at this line"},
+      {" IF NOBODY\n ENDIF", "1:5: error: found undefined symbol 'NOBODY', expected one that is defined"},
       {"X EQU Y\n ORG X\nY EQU 5",
        "2:6: error: found a forward reference, expected an address known at this line"},
       {"X EQU X+1",
@@ -64,8 +63,7 @@ TEST(I8080Errors, OneErrorGivesOneMessage) {
       {" EXTRN PUTC\n CALL PUTC",
        "2:7: error: found external symbol 'PUTC', expected one that a source of this program defines: there is no linker"},
       {" ORG 0FFFFH\n DW 1", "2:1: error: found a byte past FFFF, expected a program within 64K"},
-      {" ORG 0FFFFH\n DS 2",
-       "2:5: error: found 2 bytes of space, expected at most 1 up to the end of the 64K"},
+      {" ORG 0FFFFH\n DS 2\n NOP", "3:1: error: found a byte past FFFF, expected a program within 64K"},
       {" ELSE", "1:2: error: found 'ELSE', expected an IF before it, in the same file or macro"},
       {" ENDIF", "1:2: error: found 'ENDIF', expected an IF before it, in the same file or macro"},
       {" IF 1\n ELSE\n ELSE\n ENDIF", "3:2: error: found a second ELSE, expected ENDIF"},
@@ -144,7 +142,7 @@ TEST(I8080Errors, ManyWarningsDoNotPreventOutput) {
 
 TEST(I8080Errors, AByteBeyondTheMemoryIsReportedOnceUntilOrg) {
   EXPECT_EQ(messages8080(" ORG 0FFFEH\n DS 3\n NOP\n DS 5\n DS 5,1\n ORG 0FFFFH\n NOP\n NOP\n DB 1,2\n"),
-            (Texts{"t.asm:2:5: error: found 3 bytes of space, expected at most 2 up to the end of the 64K",
+            (Texts{"t.asm:3:1: error: found a byte past FFFF, expected a program within 64K",
                    "t.asm:8:1: error: found a byte past FFFF, expected a program within 64K"}));
 }
 

@@ -42,6 +42,30 @@ TEST(I8080Language, RegistersAreValues) {
   EXPECT_EQ(bytes8080("HL: LXI H,HL\n"), (Bytes{0x21, 0, 0}));
 }
 
+// CP/M's ASM and MAC: A is 7, PSW is 6, and both give F5.
+TEST(I8080Language, PushAIsPushPsw) {
+  EXPECT_EQ(bytes8080(" PUSH A\n POP A\n PUSH 7\nACC EQU A\n POP ACC\n RET\n"), (Bytes{0xF5, 0xF1, 0xF5, 0xF1, 0xC9}));
+  for (const char* other : {" LXI A,1", " DAD A", " INX A", " DCX 7", " STAX A", " LDAX A", " PUSH C", " POP 1", " PUSH 5"})
+    EXPECT_FALSE(assemble8080(other).ok()) << other;
+}
+
+// ASM and MAC: RAM begins again at 0.
+TEST(I8080Language, SpaceMayRunPastTheEndOfMemory) {
+  const auto assembly = assemble8080(
+      "\tORG 0FFF8H\n\tDB 1,2,3\nBUF:\tDS 16\nEND1:\tEQU $\nNEXT:\tDS 0FFFFH\nLAST:\tDS 1\n\tORG 0F000H\n\tLXI H,END1\n");
+  EXPECT_EQ(messages(assembly), Texts{});
+  EXPECT_EQ(write_i8080_symbols(assembly.symbols), "BUF FFFB\nEND1 000B\nLAST 000A\nNEXT 000B\n");
+  EXPECT_EQ(assembly.image.count(), 6U);
+  EXPECT_EQ(assembly.image[0xFFFA], 3);
+  EXPECT_EQ(assembly.image[0xF000], 0x21);
+  EXPECT_EQ(assembly.image[0xF001], 0x0B);
+  EXPECT_EQ(assembly.image[0xF002], 0);
+  const std::string listing = write_listing(assembly.listing);
+  EXPECT_NE(listing.find("FFFB         BUF:\tDS 16\n"), std::string::npos) << listing;
+  EXPECT_NE(listing.find("000B         NEXT:\tDS 0FFFFH\n"), std::string::npos) << listing;
+  EXPECT_EQ(messages8080(" ORG 0FFFFH\n DS 2,5\n"), (Texts{"t.asm:2:1: error: found a byte past FFFF, expected a program within 64K"}));
+}
+
 TEST(I8080Language, Numbers) {
   EXPECT_EQ(bytes8080(" DB 10,10D,0AH,0ffh,17O,17Q,1010B,1010$0000b,0x3A,$3A,1$0"),
             (Bytes{10, 10, 10, 255, 15, 15, 10, 0xA0, 0x3A, 0x3A, 10}));
@@ -163,6 +187,24 @@ TEST(I8080Language, Conditionals) {
                       "COND Z\n DB 4\n ENDC"),
             (Bytes{1, 2, 3}));
   EXPECT_EQ(bytes8080(" IF 0 ! what is this ' ( ! ENDIF ! DB 7"), Bytes{7});
+}
+
+// ASM and MAC: a name that is defined further down is 0 in the first pass and has its value in the second.
+TEST(I8080Language, ConditionsMayReferForward) {
+  EXPECT_EQ(bytes8080(" IF LATER\n DB 1\n ELSE\n DB 2\n ENDIF\nLATER EQU 1\n"), Bytes{1});
+  EXPECT_EQ(bytes8080(" IF LATER\n DB 1\n ELSE\n DB 2\n ENDIF\nLATER EQU 0\n"), Bytes{2});
+  EXPECT_EQ(bytes8080("X EQU Y\n IF X EQ 5\n DB 1\n ENDIF\nY EQU 5\n"), Bytes{1});
+  EXPECT_EQ(bytes8080(" IF NOT X\nX EQU 0\n ENDIF\n DB X\n"), Bytes{0}) << "it is 0 where nothing else defines it";
+  EXPECT_EQ(bytes8080(" JMP L\n IF SIZE EQ 2\n DS 2\n ENDIF\nL: NOP\nSIZE EQU 2\n"), (Bytes{0xC3, 5, 0, 0, 0, 0}))
+      << "labels after it move";
+  EXPECT_EQ(bytes8080(" IF $ - L\n NOP\n ENDIF\nL: RET\n"), (Bytes{0, 0xC9}));
+  // What only the first pass defines is not defined.
+  EXPECT_EQ(messages8080(" IF X\n ELSE\nY EQU 1\n ENDIF\nX EQU 1\n DB Y\n"),
+            (Texts{"t.asm:6:5: error: found undefined symbol 'Y', expected one that is defined"}));
+  EXPECT_EQ(bytes8080(" IF X\n ELSE\nY EQU 1\n ENDIF\n IFDEF Y\n DB 1\n ELSE\n DB 2\n ENDIF\nX EQU 1\n"), Bytes{2});
+  // A condition that its own lines make untrue.
+  EXPECT_FALSE(assemble8080(" IF X EQ 0\nX EQU 1\n ENDIF\n").ok());
+  EXPECT_FALSE(assemble8080(" IF L EQ 1\n NOP\n ENDIF\n NOP\nL: RET\n").ok());
 }
 
 TEST(I8080Language, IncludedFiles) {

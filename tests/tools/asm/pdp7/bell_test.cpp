@@ -94,6 +94,29 @@ TEST(BellLanguage, RelativeLabels) {
       (Words{0600000, 0600002, 0600002, 0600004, 0, 0600004, 3, 7, 0200010, 0200013, 0}));
 }
 
+// assm4 and lookup: a name keeps its last value from pass 1 to its first place in pass 2. The words are those that `as` of 1970,
+// run under UNIX v0, and as7 make of these sources.
+TEST(BellLanguage, NamesThatAreSetAgain) {
+  const Assembly twice = bell("   lac q\nq: 1\n   lac q\nq: 2\n   lac q\nq: 3\n   lac q\n");
+  EXPECT_TRUE(twice.ok());
+  EXPECT_EQ(messages(twice).size(), 1U) << "one warning for each name";
+  EXPECT_EQ(words(bell("..=0\n   lac q\nq: 1\n   lac q\nq: 2\n   lac q\nq: 3\n   lac q\n")),
+            (Words{0200005, 1, 0200001, 2, 0200003, 3, 0200005}));
+  EXPECT_EQ(words_at_0("   -n\n   lac n\n   n = 1\n   lac n\n   n = n+1\n   lac n\n"),
+            (Words{0777776, 0200002, 0200001, 0200002}));
+  EXPECT_EQ(words(bell("..=0\nlac a; a: lac a; a = 7; lac a; a = a+1; lac a; a: lac a")),
+            (Words{0200004, 0200001, 0200007, 0200010, 0200004}));
+  EXPECT_EQ(words_at_0("m; m = n; n = 1; n = n+2"), (Words{3}));
+}
+
+// assm4 with a name of gs3: `9f:` sets 9f up to the next `9:`, which sets it once more; before the first place it has the last value.
+TEST(BellLanguage, RelativeLabelsThatAreSet) {
+  EXPECT_EQ(words_at_0("dac 9f; isz 9f; 9f:0; lac 9f"), (Words{0040002, 0440002, 0, 0200002}));
+  EXPECT_EQ(words_at_0("dac 9f; 9f:1; lac 9f; 9: 3; lac 9b; lac 9f; 9: 4"),
+            (Words{0040003, 1, 0200001, 3, 0200003, 0200006, 4}));
+  EXPECT_EQ(words_at_0("9: 1; 9b: 2; lac 9b; 9b = 7; lac 9b; 9f = 9b+1; lac 9f"), (Words{1, 2, 0200001, 0200007, 0200010}));
+}
+
 // The idiom of the kernel: t counts the temporaries of all routines, 9: reserves them.
 TEST(BellLanguage, TemporariesBy9fPlusT) {
   EXPECT_EQ(words_at_0("t = 0\nlac 9f+t; dac 9f+t+1 i\nt = t+2\nlac 9f+t\nt=t+1\n9: .=.+t\n7"),
@@ -108,8 +131,8 @@ TEST(BellLanguage, RelocatableWordsBeginAt4096) {
   EXPECT_EQ(messages(a), Texts{});
   EXPECT_EQ(words(a, 010000), (Words{0210000, 1, 2, 0200005}));
   EXPECT_EQ(words(a, 020), (Words{010002}));
-  EXPECT_EQ(a.value_of("b"), core::Word18(010002));
-  EXPECT_EQ(a.value_of("x"), core::Word18(5));
+  EXPECT_EQ(a.value_of("b"), 010002U);
+  EXPECT_EQ(a.value_of("x"), 5U);
   EXPECT_EQ(words(bell("..=0100\na: lac a; lac .."), 0100), (Words{0200100, 0200100}));
 }
 
@@ -157,7 +180,7 @@ TEST(BellLanguage, LabelsHideInstructions) {
 
 TEST(BellLanguage, DefinesOverrideAssignments) {
   Options options = bell_options();
-  options.defines = {{"t", core::Word18(5)}};
+  options.defines = {{"t", 5}};
   EXPECT_EQ(words(assemble("..=0\nt=3\nt", options)), (Words{5}));
 }
 
@@ -199,9 +222,8 @@ TEST(BellErrors, EachHasItsPosition) {
          "another "
          "digit than 0");
   expect("262144", "1:1: error: found number '262144', expected at most 0777777, which is 18 bits");
-  expect("a: 1\na: 2", "2:1: error: found label 'a', already defined at t.s:1, expected another name");
-  expect("a: 1\na = 2",
-         "2:1: error: found an assignment to 'a', which is a label, expected another name");
+  const std::string again = "2:1: warning: found 'a' set again, expected another name than at t.s:1; before that line it has its last value";
+  for (const char* twice : {"a: 1\na: 2", "a: 1\na = 2", "a = 1\na: 2", "a: 1\na: 2; a: 3; a: 4"}) expect(twice, again);
   expect("jmp 1f", "1:5: error: found '1f' without a label 1: after it, expected the label, or 1b");
   expect("jmp 1b\n1: 0", "1:5: error: found '1b' without a label 1: before it, expected the label, or 1f");
   expect("12: 0", "1:1: error: found '12:', expected a relative label 0: to 9:, or a name");
@@ -232,9 +254,7 @@ TEST(BellErrors, EachHasItsPosition) {
   expect(".=a\na: 0",
          "1:3: error: found 'a' before its first definition, expected a name that is defined before, because "
          "the location depends on it");
-  expect("lac t\nt=1\nt=2",
-         "1:5: error: found 't' before its first definition, expected an earlier assignment, because it "
-         "is assigned several values");
+  expect("lac t\nt=t+1", "1:5: error: found 't' without a value, expected a definition that does not depend on itself");
   expect("1\n.=.-1\n2",
          "3:1: warning: found a second word at 010000, which replaces that of t.s:1, expected one word "
          "per location");

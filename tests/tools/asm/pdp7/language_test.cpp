@@ -109,8 +109,8 @@ TEST(Pdp7Language, ConstantsAndVariablesArePlacedWhereAsked) {
       assemble("lac (5\n dac zz#\n dac #aa\n constants\n lac (5\n variables\nx, lac zz\n dac bb#");
   EXPECT_EQ(messages(a), Texts{});
   EXPECT_EQ(words(a), (Words{0200003, 0040006, 0040005, 5, 0200011, 0, 0, 0200006, 0040012, 5, 0}));
-  EXPECT_EQ(a.value_of("aa"), core::Word18(5));
-  EXPECT_EQ(a.value_of("BB"), core::Word18(012));
+  EXPECT_EQ(a.value_of("aa"), 5U);
+  EXPECT_EQ(a.value_of("BB"), 012U);
 }
 
 TEST(Pdp7Language, UndefinedSymbolsAreVariablesOnlyOnRequest) {
@@ -133,7 +133,7 @@ TEST(Pdp7Language, ConditionalsNestAndRunOverLines) {
 
 TEST(Pdp7Language, DefinesOverrideTheSource) {
   Options options;
-  options.defines = {{"EAE", core::Word18(0)}, {"size", core::Word18(7)}};
+  options.defines = {{"EAE", 0}, {"size", 7}};
   const Assembly a = assemble("eae=1\nsize=100\nifzero eae <1>\nifnzro eae <2>\nsize", options);
   EXPECT_EQ(messages(a), Texts{});
   EXPECT_EQ(words(a), (Words{1, 7}));
@@ -143,7 +143,7 @@ TEST(Pdp7Language, DefinesAreRead) {
   const auto define = parse_define("EAE=-1");
   ASSERT_TRUE(define);
   EXPECT_EQ(define->name, "EAE");
-  EXPECT_EQ(define->value, core::Word18(0777776));
+  EXPECT_EQ(define->value, 0777776U);
   for (const char* bad : {"", "EAE", "EAE=", "=1", "1A=1", "A=8", "A=1234567", "A=-", "a b=1", "A=1 "}) {
     EXPECT_FALSE(parse_define(bad)) << bad;
   }
@@ -293,7 +293,7 @@ TEST(Pdp7Language, NamesOfASourceWithDeclarationsAreLocal) {
   // Two variables, one in each source.
   EXPECT_EQ(assembly.image.words.size(), 11U);
   Options options;
-  options.defines.push_back({"n", core::Word18(7)});
+  options.defines.push_back({"n", 7});
   const auto defined = assemble_pdp7(sources, options);
   EXPECT_EQ(defined.image.words.at(0102).value(), 0200007U);
   EXPECT_EQ(defined.image.words.at(0107).value(), 0200007U);
