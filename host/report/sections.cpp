@@ -93,7 +93,7 @@ const std::vector<SectionPlan>& report_sections() {
         chapter("finding-agreement", 0, &finding_agreement)}},
       {"jones", "Jones 1971: cells and portals on a PDP-7", "jones",
        {chapter("jones-timing", 1, &jones_timing),
-        chapter("jones-walk", 1, &jones_walk_chapter),
+        chapter("jones-walking", 1, &jones_walk_chapter),
         chapter("jones-accuracy", 2, &jones_accuracy_chapter),
         chapter("jones-needs", 4, &jones_needs),
         chapter("jones-unseen", 4, &jones_unseen_chapter)}},

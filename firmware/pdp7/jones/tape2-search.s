@@ -502,7 +502,7 @@ exdone, lac exsum
 / Out: the records are zero.  Destroys: rec cnt.
 forget, 0
         IFNZRO WALK <
-        lac (scene+13
+        lac (ways       / only a scene tape for the walk has this tag
 fgopn,  dac rec         / from opening to opening, up to the planes of cell 0
         tad (-c0+4
         sma

@@ -44,7 +44,10 @@ class Encoder {
   EncodedScene encode(const Viewpoint& view) {
     result_.view = view;
     header();
-    if (result_.tape == Tape::walk) openings();
+    if (result_.tape == Tape::walk) {
+      tag_ = "ways";
+      openings();
+    }
     const std::size_t before_cells = result_.words.size();
     for (std::size_t c = 0; c < scene_.cells.size(); ++c) cell(c);
     result_.cell_words = result_.words.size() - before_cells;
@@ -315,6 +318,8 @@ base::Result<std::string> write_tape(const scene::CellScene& scene, std::optiona
                      std::to_string(result.cell_words) + " words, " + std::to_string(scene.openings.size()) +
                      " openings in " + std::to_string(result.opening_words) + ", header " +
                      std::to_string(scene_header_words) + "\n";
+  // The program with another setting would take other words for the planes; tapes of one view have no tag `ways`.
+  if (tape == Tape::walk) text += "        IFZERO WALK <           / only for a program with the walk\n        assemble-with-WALK\n        >\n";
   for (const EncodedWord& word : result.words) text += line_of(word);
   return text;
 }

@@ -18,6 +18,7 @@
 #include "tests/firmware/jones_core.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/effort.hpp"
+#include "tools/asm/pdp7.hpp"
 
 namespace sightline::programs::jones {
 namespace {
@@ -420,6 +421,21 @@ TEST(JonesWalkTape, HasThePlanesOfTheCells) {
         box.high[a] = std::max(one, other);
       }
       EXPECT_EQ(box, scene.cells[c].box) << name << " cell " << c;
+    }
+  }
+}
+
+// A tape of the other kind does not assemble.
+TEST(JonesWalkTape, IsForItsProgram) {
+  const scene::CellScene house = scene::builtin_scene("house");
+  for (const bool program_walks : {false, true}) {
+    for (const Tape tape : {Tape::view, Tape::walk}) {
+      std::vector<assembler::SourceFile> sources;
+      for (const auto& [file, text] : firmware_tapes()) sources.push_back({std::string(file), std::string(text)});
+      sources.push_back({"scene tape", *write_tape(house, {}, tape)});
+      assembler::Options options;
+      options.defines = {{"EAE", 1}, {"WALK", program_walks ? 1U : 0U}};
+      EXPECT_EQ(assembler::assemble_pdp7(sources, options).ok(), program_walks == (tape == Tape::walk));
     }
   }
 }
