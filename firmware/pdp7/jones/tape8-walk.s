@@ -57,23 +57,49 @@ leg,    0
         tad i wkeye
         dac target
         dzm passed
-legcel, jms list
+legcel, lac cell        / between the planes of the cell the leg ends
+        tad wkeye
+        tad (-ex+1
+        dac t1
+        lac i t1
+        cma
+        tad (1
+        tad target
+        sna
+        jmp legscn
+        dac wkout
+        lac t1
+        tad (-3+1
+        dac t1
+        lac i t1
+        cma
+        tad (1
+        tad target
+        sna
+        jmp legscn
+        xor wkout
+        spa
+        jmp legend
+legscn, jms list
 legopn, isz lp
         lac i lp
         and (17777
         sna
-        jmp legend        / the cell has no openings
+        jmp legend      / the cell has no openings
         dac elem
         tad (1
         dac org
         lac i elem
         spa
         isz org
-        jms plane
-        jms extent
-        lac i wkext     / is its plane ahead?
+        lac org         / is its origin, and so its plane, ahead?
+        tad wkeye
+        tad (-ex+1
+        dac t1
+        lac i t1
         cma
         tad (1
+        tad i wkeye
         dac t1
         tad passed
         sna
@@ -88,7 +114,9 @@ legopn, isz lp
         xor i wkstep
         spa
         jmp legnot
-leghit, lac (ext-1      / the eye must be between its other sides;
+leghit, jms plane
+        jms extent
+        lac (ext-1      / the eye must be between its other sides;
         dac 15          / on a line between two openings it is in the high one
         lac (-3+1
         dac cnt
@@ -254,5 +282,5 @@ wkeye,  0               / words of the leg's axis: the eye
 wkstep, 0               / its steps
 wkext,  0               / its extent of an opening, low end and high end
 wkbit,  0               / its bit of stops
-wkout,  0
+wkout,  0               / how many coordinates keepin has moved
         >

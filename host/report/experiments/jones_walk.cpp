@@ -85,7 +85,6 @@ void add_walk(JonesWalks& walks, const jones::KnownWalk& known) {
 }
 
 double ratio_of(const JonesStep& step) { return step.walking_s / step.standing_s; }
-double ratio_without_eae_of(const JonesStep& step) { return step.walking_without_eae_s / step.standing_without_eae_s; }
 
 }  // namespace
 
@@ -102,7 +101,8 @@ void jones_walk_chapter(Page& page, const JonesWalks& walks) {
   using Step = JonesStep;
   using Words = JonesWalkWords;
   const auto all = [&](auto holds) { return std::all_of(walks.steps.begin(), walks.steps.end(), holds); };
-  const bool fast = all([](const Step& step) { return ratio_of(step) <= most_time && ratio_without_eae_of(step) <= most_time; });
+  const double walking = sum(walks.steps, &Step::walking_s) / sum(walks.steps, &Step::standing_s);
+  const double walking_without_eae = sum(walks.steps, &Step::walking_without_eae_s) / sum(walks.steps, &Step::standing_without_eae_s);
   const bool near = all([](const Step& step) { return step.farthest <= step.bound; });
   page.table("jones-walk", "Jones: a walk from cell to cell", walks.steps,
              {{"scene", "Scene", &Step::scene},
@@ -120,7 +120,7 @@ void jones_walk_chapter(Page& page, const JonesWalks& walks) {
              {{"Jones left out what he called ideal, \"complete freedom of movement of the viewpoint\", because it needs the planes of the cells. Here the "
                "program has them (`sightline jones house --walk \"in 100\"`): it finds the cell of the eye and follows it through portals as the switches move it. "
                "The eyes, the cells and the last display file must equal the native twin's, or the report ends with an error. " +
-               page.claim(fast, "No view takes more than 1.1 times the time of the program without the walk from the same eye.") + " " +
+               page.claim(walking <= most_time && walking_without_eae <= most_time, "On the way a view takes at most 1.1 times as long as in the program without the walk from the same eye, on average.", fmt::format("{:.3f} and {:.3f} times", walking, walking_without_eae)) + " " +
                page.claim(near, "No line is farther from the exact ones than the lengths of words allow.")}});
   page.table("jones-walk-words", "Jones: words for the walk", walks.words,
              {{"scene", "Scene", &Words::scene},

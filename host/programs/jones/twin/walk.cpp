@@ -89,16 +89,27 @@ Status Walk::take_leg(std::size_t axis, std::int32_t steps) {
   const std::int32_t target = wrapped(std::int64_t{eye_[axis]} + steps);
   std::int32_t passed = 0;  // plane
   for (std::uint32_t planes = 0; planes < most_planes; ++planes) {
+    if (is_between_planes(axis, target)) return end_leg(axis, steps, target);
     bool passes = false;
     if (const Status status = pass(axis, steps, passed, passes); status != Status::complete) return status;
-    if (passes) continue;
-    eye_[axis] = target;
-    if (const Status status = move_inside(); status != Status::complete) return status;
-    const std::int32_t moved_back = wrapped(std::int64_t{eye_[axis]} - target);
-    if (moved_back != 0 && (moved_back < 0) != (steps < 0)) stops_ |= 1U << axis;
-    return Status::complete;
+    if (!passes) return end_leg(axis, steps, target);
   }
   return Status::unfinished;
+}
+
+Status Walk::end_leg(std::size_t axis, std::int32_t steps, std::int32_t target) {
+  eye_[axis] = target;
+  if (const Status status = move_inside(); status != Status::complete) return status;
+  const std::int32_t moved_back = wrapped(std::int64_t{eye_[axis]} - target);
+  if (moved_back != 0 && (moved_back < 0) != (steps < 0)) stops_ |= 1U << axis;
+  return Status::complete;
+}
+
+bool Walk::is_between_planes(std::size_t axis, std::int32_t target) const {
+  const std::uint32_t origin = cell_ + static_cast<std::uint32_t>(axis);
+  const std::int32_t one = wrapped(std::int64_t{target} - number(origin));
+  const std::int32_t other = wrapped(std::int64_t{target} - number(origin - 3));
+  return one != 0 && other != 0 && (one < 0) != (other < 0);
 }
 
 // Goes through the first opening of the cell whose plane is ahead of `passed` and reached.
@@ -106,18 +117,21 @@ Status Walk::pass(std::size_t axis, std::int32_t steps, std::int32_t& passed, bo
   for (std::uint32_t entry = list_of(cell_);; ++entry) {
     const std::uint32_t far_word = word(entry).field(5, 17);
     if (far_word == 0) return Status::complete;
-    Extent extent;
-    if (const Status status = extent_of(far_word + (word(far_word).bit(0) ? 2 : 1), extent); status != Status::complete) return status;
-    const std::int32_t plane = extent.sides[axis].low;
+    const std::uint32_t element = far_word + (word(far_word).bit(0) ? 2 : 1);
+    const std::int32_t plane = wrapped(std::int64_t{number(element + static_cast<std::uint32_t>(axis))} - eye_[axis]);
     const std::int32_t ahead = wrapped(std::int64_t{passed} - plane);
     const std::int32_t left = wrapped(std::int64_t{steps} - plane);
-    passes = ahead != 0 && (ahead < 0) != (steps < 0) && (left == 0 || (left < 0) == (steps < 0));
-    for (std::size_t a = 0; a < 3; ++a)
-      if (a != axis) passes = passes && wrapped(std::int64_t{extent.sides[a].low} - 1) < 0 && wrapped(std::int64_t{extent.sides[a].high} - 1) >= 0;
-    if (passes) {
-      passed = plane;
-      cell_ = word(far_word).field(5, 17);
-      return Status::complete;
+    if (ahead != 0 && (ahead < 0) != (steps < 0) && (left == 0 || (left < 0) == (steps < 0))) {
+      Extent extent;
+      if (const Status status = extent_of(element, extent); status != Status::complete) return status;
+      passes = true;
+      for (std::size_t a = 0; a < 3; ++a)
+        if (a != axis) passes = passes && wrapped(std::int64_t{extent.sides[a].low} - 1) < 0 && wrapped(std::int64_t{extent.sides[a].high} - 1) >= 0;
+      if (passes) {
+        passed = extent.sides[axis].low;
+        cell_ = word(far_word).field(5, 17);
+        return Status::complete;
+      }
     }
     if (word(entry).bit(0)) return Status::complete;
   }

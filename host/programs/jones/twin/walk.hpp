@@ -40,6 +40,8 @@ class Walk {
   Status locate();
   Status move_inside();
   Status take_leg(std::size_t axis, std::int32_t steps);
+  Status end_leg(std::size_t axis, std::int32_t steps, std::int32_t target);
+  [[nodiscard]] bool is_between_planes(std::size_t axis, std::int32_t target) const;
   Status pass(std::size_t axis, std::int32_t steps, std::int32_t& passed, bool& passes);
   Status extent_of(std::uint32_t element, Extent& extent) const;
   [[nodiscard]] std::uint32_t list_of(std::uint32_t cell) const;
