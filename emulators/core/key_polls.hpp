@@ -19,7 +19,7 @@ class KeyPolls {
   [[nodiscard]] bool any() const { return any_; }
   void add() {
     any_ = true;
-    if (listener_ != nullptr) listener_->key_polled();
+    if (listener_ != nullptr) [[unlikely]] listener_->key_polled();
   }
   void forget() { any_ = false; }
 

@@ -15,6 +15,7 @@
 //   acknowledging()                 INT has stayed high since the acknowledge cycle began
 //   end_acknowledge()               RST, EI and DI end it regardless of INT
 //   attention()                     the machine must serve the next instruction boundary (EI, HLT)
+//   undefined(opcode, address)      an opcode that Intel left undefined was executed; a bus may lack this verb
 //
 // The bus handles READY and HOLD: one with these lines stretches its verbs and waits before it begins one (pin_bus.hpp
 // does, T-state by T-state); one without them spends no time on them. The processor's caller samples INT at the end of each

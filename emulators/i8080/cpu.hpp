@@ -69,18 +69,24 @@ class Execution {
     step_pc();
     return execute<static_cast<Byte>(opcode), false>();
   }
-  // Opcodes that access more than the processor and its memory.
+  // Opcodes that access more than the processor and its memory, and those that Intel left undefined, which are counted.
   template <unsigned opcode>
   static constexpr bool is_rare = lookup(static_cast<Byte>(opcode)).operation == Operation::in ||
                                   lookup(static_cast<Byte>(opcode)).operation == Operation::out ||
-                                  lookup(static_cast<Byte>(opcode)).operation == Operation::hlt;
+                                  lookup(static_cast<Byte>(opcode)).operation == Operation::hlt ||
+                                  lookup(static_cast<Byte>(opcode)).duplicate;
   static constexpr Byte opcode_of_in = 0xDB;
   static constexpr Byte opcode_of_out = 0xD3;
   constexpr Outcome step_rare(Byte opcode) {
     static_assert(is_rare<opcode_of_in> && is_rare<opcode_of_out> && is_rare<0x76>);
     if (opcode == opcode_of_in) return step_as<opcode_of_in>();
     if (opcode == opcode_of_out) return step_as<opcode_of_out>();
-    return step_as<0x76>();
+    if (opcode == 0x76) return step_as<0x76>();
+    // A copy, because a compiler would keep in memory an object whose address a call gets.
+    Execution copy = *this;
+    const Outcome outcome = copy.step_undefined(opcode);
+    *this = copy;
+    return outcome;
   }
 
   // The interrupt: executes one instruction from the device that answers the acknowledge. PC does not change while it is
@@ -111,9 +117,25 @@ class Execution {
     }
   };
 
+  [[gnu::noinline]] constexpr Outcome step_undefined(Byte opcode) {
+    bus_.fetch_peeked(status::fetch_cycle, static_cast<Address>(pc_), opcode);
+    step_pc();
+    return core::dispatch<codes>(opcode, UndefinedExecutor{this});
+  }
+  struct UndefinedExecutor {
+    Execution* execution;
+    template <unsigned opcode>
+    SIGHTLINE_INLINE constexpr Outcome execute() const {
+      if constexpr (lookup(static_cast<Byte>(opcode)).duplicate) return execution->template execute<static_cast<Byte>(opcode), false>();
+      else __builtin_unreachable();
+    }
+  };
+
   template <Byte Opcode, bool Jammed>
   SIGHTLINE_INLINE constexpr Outcome execute() {
     constexpr const Instruction& row = lookup(Opcode);
+    if constexpr (row.duplicate && requires { bus_.undefined(Opcode, Address{}); })
+      bus_.undefined(Opcode, static_cast<Address>(pc_ - (Jammed ? 0 : 1)));
     if constexpr (Jammed && (row.operation == Operation::rst || row.operation == Operation::ei ||
                              row.operation == Operation::di)) {
       bus_.end_acknowledge();

@@ -21,8 +21,8 @@ class Run {
  public:
   Run(MachineParts& machine, const Limits& limits, Watch& watch, Engine engine)
       : machine_(machine), limits_(limits), watch_(watch), engine_(engine), begun_(machine.instructions) {
-    // Only the plain engine supports memory that makes the processor wait.
-    if (machine.ports.has_wait_states()) engine_ = Engine::plain;
+    // Only the plain engine supports memory that makes the processor wait, or that ends below FFFF.
+    if (machine.ports.has_wait_states() || machine.ends_early()) engine_ = Engine::plain;
   }
 
   StopReason run() {
@@ -152,6 +152,15 @@ class Run {
 
 }  // namespace
 
+void MachineParts::count_undefined(Byte opcode, Address address) {
+  auto known = std::find_if(undefined.all.begin(), undefined.all.end(), [opcode](const UndefinedOpcode& each) { return each.opcode == opcode; });
+  if (known == undefined.all.end()) known = undefined.all.insert(known, {opcode, address, 0});
+  ++known->count;
+  undefined.last_opcode = opcode;
+  undefined.last_address = address;
+  if (options.strict) ports.request_stop(StopReason::undefined);
+}
+
 Machine::Machine(const Options& options) : parts_(std::make_unique<MachineParts>(options)) {}
 Machine::~Machine() = default;
 
@@ -184,13 +193,14 @@ void Machine::put_before(core::PortRange ports, core::PortDevice& front) { parts
 std::uint8_t Machine::forward_in(std::uint8_t port, core::TStateInstant at) { return parts_->ports.forward_in(port, at); }
 void Machine::forward_out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) { parts_->ports.forward_out(port, value, at); }
 std::span<const UnansweredPort, 256> Machine::unanswered() const { return parts_->ports.unanswered(); }
+const UndefinedOpcodes& Machine::undefined() const { return parts_->undefined; }
 
 State& Machine::registers() { return parts_->state; }
 const State& Machine::registers() const { return parts_->state; }
 Byte Machine::peek(Address address) const { return parts_->memory[address]; }
-void Machine::deposit(Address address, Byte byte) { parts_->memory[address] = byte; }
+void Machine::deposit(Address address, Byte byte) { parts_->store(address, byte); }
 void Machine::load(Address address, std::span<const Byte> bytes) {
-  for (const Byte byte : bytes) parts_->memory[address++] = byte;
+  for (const Byte byte : bytes) parts_->store(address++, byte);
 }
 std::span<Byte> Machine::memory() { return parts_->memory; }
 std::span<const Byte> Machine::memory() const { return parts_->memory; }
@@ -252,6 +262,17 @@ void Machine::visit_state(core::StateVisitor& visit) {
     fields.require(!machine.pins.waking || machine.state.halted, "waking", "only in a halt");
   });
   visit.section("memory", [&machine](core::StateVisitor& fields) { fields.bytes("bytes", machine.memory); });
+  if (visit.restores()) machine.clear_above_memory();
+  visit.section("undefined", [&machine](core::StateVisitor& fields) {
+    fields.list("opcodes", machine.undefined.all, [&fields](UndefinedOpcode& each) {
+      fields("opcode", each.opcode);
+      fields("first", each.first);
+      fields("count", each.count);
+      fields.require(lookup(each.opcode).duplicate, "opcode", "one that Intel left undefined");
+    });
+    fields("last_opcode", machine.undefined.last_opcode);
+    fields("last_address", machine.undefined.last_address);
+  });
   machine.ports.visit_state(visit);
 }
 

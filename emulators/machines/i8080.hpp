@@ -1,4 +1,4 @@
-// An 8080 with 64K of RAM and the devices attached to its ports.
+// An 8080 with up to 64K of RAM and the devices attached to its ports.
 //
 //   i8080::Machine machine;
 //   machine.load(0x100, program);
@@ -8,7 +8,8 @@
 //   const core::Raster* raster = machine.device("ef9365")->raster();
 //
 // Between two runs everything can be read and changed. Time is counted in T-states (core/tstates.hpp). A port without a
-// device reads as FFh, the level of the undriven bus, and ignores writes; such accesses are counted.
+// device reads as FFh, the level of the undriven bus, and ignores writes; such accesses are counted. So do addresses above
+// the RAM, uncounted.
 //
 // Left out: ROM, and memory banks. Source: see ../i8080/cpu.hpp.
 #pragma once
@@ -20,6 +21,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "../core/port_device.hpp"
 #include "../core/state_visitor.hpp"
@@ -32,7 +34,9 @@ namespace sightline::i8080 {
 
 struct Options {
   core::ClockRate clock{};
-  bool strict = false;  // an access to a port without a device ends the run
+  // A run ends at an access to a port without a device, and after an opcode that Intel left undefined.
+  bool strict = false;
+  std::uint32_t memory = 0x10000;  // bytes of RAM, from address 0 on
 };
 
 enum class StopReason : std::uint8_t {
@@ -41,7 +45,8 @@ enum class StopReason : std::uint8_t {
   time_limit,         // the first boundary at or after Limits::until
   observer,           // Observer::stop()
   device,             // Machine::request_stop()
-  unanswered,         // Options::strict
+  unanswered,         // Options::strict, at a port
+  undefined,          // Options::strict, after an undefined opcode
 };
 
 struct Limits {
@@ -116,6 +121,18 @@ struct UnansweredPort {
   std::uint64_t writes = 0;
 };
 
+// The executions of an opcode that Intel left undefined.
+struct UndefinedOpcode {
+  Byte opcode = 0;
+  Address first = 0;  // address of the first one
+  std::uint64_t count = 0;
+};
+struct UndefinedOpcodes {
+  std::vector<UndefinedOpcode> all;  // in the order of their first execution
+  Byte last_opcode = 0;
+  Address last_address = 0;
+};
+
 struct AttachedDevice {
   const core::PortDeviceInfo* info;
   std::unique_ptr<core::PortDevice> device;
@@ -164,15 +181,17 @@ class Machine {
   void forward_out(std::uint8_t port, std::uint8_t value, core::TStateInstant at);
   // Indexed by port.
   [[nodiscard]] std::span<const UnansweredPort, 256> unanswered() const;
+  [[nodiscard]] const UndefinedOpcodes& undefined() const;
 
   // --- Registers and memory, between runs
 
   [[nodiscard]] State& registers();
   [[nodiscard]] const State& registers() const;
   [[nodiscard]] Byte peek(Address address) const;
-  void deposit(Address address, Byte byte);
+  void deposit(Address address, Byte byte);  // above the RAM: without effect
   // Addresses wrap from FFFFh to 0.
   void load(Address address, std::span<const Byte> bytes);
+  // All 64K; bytes above the RAM must stay FFh.
   [[nodiscard]] std::span<Byte> memory();
   [[nodiscard]] std::span<const Byte> memory() const;
   // Sets PC, and ends a halt.

@@ -15,6 +15,7 @@
 #include "../devices/minigraf0507.hpp"
 #include "../devices/parallel_link.hpp"
 #include "../devices/priority_board.hpp"
+#include "../devices/sense_switches.hpp"
 #include "../devices/serial_link.hpp"
 
 namespace sightline::i8080 {
@@ -37,6 +38,8 @@ inline constexpr std::array known_devices{
     known<devices::SerialLink>,
     known<devices::AltairSio>,
     known<devices::Altair2Sio>,
+    known<devices::Altair2SioB>,
+    known<devices::SenseSwitches>,
     known<devices::PriorityBoard>,
     known<devices::BusMaster>,
 };

@@ -57,6 +57,10 @@ class FastBus {
     allowance_.pass(core::TStates(3));
   }
 
+  void undefined(Byte opcode, Address address) {
+    machine_->count_undefined(opcode, address);
+    if (machine_->ports.changed()) attention();
+  }
   void interrupt_enable(bool) {}
   void end_acknowledge() {}
   bool acknowledging() { return false; }
@@ -104,7 +108,7 @@ class FastProcessor {
   }
 
   [[nodiscard]] SIGHTLINE_INLINE unsigned code() const { return execution_.bus().peek(static_cast<Address>(execution_.pc())); }
-  // IN, OUT and HLT access more than the processor and its memory.
+  // IN, OUT and HLT access more than the processor and its memory; undefined opcodes are counted.
   template <unsigned code>
   [[nodiscard]] SIGHTLINE_INLINE bool is_rare() const {
     return Processor::is_rare<code>;

@@ -9,6 +9,7 @@
 // passed: before that only instructions execute.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +26,7 @@
 namespace sightline::i8080 {
 
 struct MachineParts {
-  explicit MachineParts(const Options& chosen) : options(chosen), ports(chosen.strict) {}
+  explicit MachineParts(const Options& chosen) : options(chosen), ports(chosen.strict) { clear_above_memory(); }
 
   // The fast engine addresses most of these by one small offset: they come first.
   State state;
@@ -40,10 +41,20 @@ struct MachineParts {
   Options options;
   Ports ports;
   core::StrokeBuffer strokes;
-  std::array<Byte, 0x10000> memory{};
+  UndefinedOpcodes undefined;
+  std::array<Byte, 0x10000> memory{};  // FF above the RAM
 
   static constexpr core::TStates one{1};
   static constexpr core::TStates longest_instruction{18};  // XTHL, without wait states
+
+  [[nodiscard]] bool ends_early() const { return options.memory < memory.size(); }
+  void store(Address address, Byte byte) {
+    if (address < options.memory) memory[address] = byte;
+  }
+  void clear_above_memory() {
+    if (ends_early()) std::fill(memory.begin() + options.memory, memory.end(), Byte{0xFF});
+  }
+  void count_undefined(Byte opcode, Address address);
 
   // The next boundary must be served.
   void serve_next_boundary() { deadline = now - one; }

@@ -27,6 +27,7 @@ class Board {
 
   // Whether the next bytes read follow an opcode.
   void set_operand(bool operand) { operand_ = operand; }
+  void count_undefined(Byte opcode, Address address) { machine_.count_undefined(opcode, address); }
   // The bytes that a device has supplied since its interrupt was accepted.
   [[nodiscard]] const std::array<Byte, 3>& supplied() const { return supplied_; }
 
@@ -51,7 +52,7 @@ class Board {
   void write(Status status, Address address, Byte byte) {
     report(byte);
     if ((status & status::output) == 0) {
-      machine_.memory[address] = byte;
+      machine_.store(address, byte);
       return;
     }
     ports_.out(low(address), byte, machine_.now);
@@ -137,6 +138,7 @@ class BoardBus : public PinBus<Board> {
  public:
   BoardBus(Board& board, bool interrupts_on, const PinLatches& latches) : PinBus(board, interrupts_on, latches), board_(board) {}
 
+  void undefined(Byte opcode, Address address) { board_.count_undefined(opcode, address); }
   Byte operand(Status cycle, Address address) {
     board_.set_operand(true);
     const Byte byte = PinBus::operand(cycle, address);

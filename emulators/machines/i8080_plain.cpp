@@ -10,7 +10,8 @@ namespace sightline::i8080 {
 
 namespace {
 
-// `full`: reports to an observer and supports wait states. Without both a compiler keeps most of the bus in registers.
+// `full`: reports to an observer and supports wait states and less than 64K of RAM. Without these a compiler keeps most of
+// the bus in registers.
 template <bool full>
 class PlainBus {
  public:
@@ -37,7 +38,8 @@ class PlainBus {
   SIGHTLINE_INLINE void write(Status cycle, Address address, Byte byte) {
     if (full && watch_->wants(address, mark::written)) report({now_, cycle, address, byte});
     begin(cycle, address);
-    machine_->memory[address] = byte;
+    if constexpr (full) machine_->store(address, byte);
+    else machine_->memory[address] = byte;
     now_ += core::TStates(3);
   }
   SIGHTLINE_INLINE Byte in(Status cycle, Byte port) {
@@ -63,6 +65,10 @@ class PlainBus {
     now_ += core::TStates(3);
   }
 
+  void undefined(Byte opcode, Address address) {
+    machine_->count_undefined(opcode, address);
+    if (machine_->ports.changed()) attention();
+  }
   void interrupt_enable(bool) {}
   void end_acknowledge() {}
   bool acknowledging() { return false; }
@@ -116,7 +122,7 @@ void execute(MachineParts& machine, Watch& watch) {
 }  // namespace
 
 void run_plainly(MachineParts& machine, Watch& watch) {
-  if (!watch.is_observed() && !machine.ports.has_wait_states()) return execute<false>(machine, watch);
+  if (!watch.is_observed() && !machine.ports.has_wait_states() && !machine.ends_early()) return execute<false>(machine, watch);
   if (!watch.wants_instructions()) return execute<true>(machine, watch);
   const core::TStateInstant begun = machine.now;
   const State before = machine.state;

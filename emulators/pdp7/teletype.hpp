@@ -48,13 +48,14 @@ class Keyboard final : public core::IotDevice {
   void iot(core::Instant now, std::uint32_t word, core::IotReply& reply) override {
     advance(now);
     reply.test(word, flag_);
-    if ((word & 01U) != 0 && !flag_) polls_.add();
     if ((word & 02U) != 0) {
       reply.collect(core::Word18(buffer_));
+      reply.answered |= 02U;
       flag_ = false;
       polls_.forget();
+    } else if ((word & 01U) != 0 && !flag_) {
+      polls_.add();
     }
-    reply.answered |= word & 02U;
   }
   void advance(core::Instant now) override {
     while (next_ < keys_.size() && keys_[next_].arrives <= now) {

@@ -34,8 +34,10 @@ void Display::iot(core::Instant now, std::uint32_t word, core::IotReply& reply) 
       break;
     case 006:
       reply.test(word, stop_interrupt(now));
-      if ((word & 01U) != 0 && registers_.stop && !registers_.stop_interrupt()) ++counters_.asked_in_vain;
-      if (!acts) break;
+      if (!acts) {
+        if (registers_.stop && !registers_.stop_interrupt()) ++counters_.asked_in_vain;
+        break;
+      }
       if (!reads && (address_counter(now).value() & ~reply.ac.value() & Registers::address_mask) != 0 && reply.ac.value() != 0)
         ++counters_.starts_ored;
       start(now, (reads ? reply.ac : reply.ac | address_counter(now)).value());

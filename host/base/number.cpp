@@ -93,7 +93,8 @@ std::optional<double> short_decimal(std::string_view text) {
   }
   const std::size_t count = point < text.size() ? text.size() - 1 : text.size();
   if (count == 0 || count > most_digits) return std::nullopt;
-  const double value = static_cast<double>(digits) / powers[point < text.size() ? text.size() - 1 - point : 0];
+  const auto whole = static_cast<double>(digits);
+  const double value = point < text.size() ? whole / powers[text.size() - 1 - point] : whole;
   return negative ? -value : value;
 }
 

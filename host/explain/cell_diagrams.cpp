@@ -24,7 +24,7 @@ constexpr double number_height = 2.2;
 constexpr double ring_radius = 2.8;
 constexpr double graph_scale = 2;  // the graph has the width and height of this many fields, if there are as many columns
 
-enum Layer : std::uint32_t { frames, back_edges, front_edges, scene_lines, portals, numbers };
+enum Pen : std::uint32_t { frames, back_edges, front_edges, scene_lines, portals, numbers };
 
 picture::VectorDrawing empty_drawing() {
   picture::VectorDrawing drawing;
@@ -93,7 +93,7 @@ class Diagrams {
   }
 
  private:
-  void draw_line(Layer layer, const Point& from, const Point& to) { picture::append_line(drawing_, layer, from[0], from[1], to[0], to[1]); }
+  void draw_line(Pen layer, const Point& from, const Point& to) { picture::append_line(drawing_, layer, from[0], from[1], to[0], to[1]); }
 
   void frame(const Field& field, const std::string& title) {
     const Point low{field.left, field.bottom};

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <span>
 
 #include "host/algorithms/oracle/matter.hpp"
 #include "host/algorithms/oracle/visible_lines.hpp"
@@ -67,11 +68,11 @@ std::optional<scene::CellComplex> cells_of_search(const scene::LoadedScene& sour
   scene::CellComplex cells = scene::complex_of(*source.cells, lines ? *lines : source.scene);
   // From inside, the outer box is opaque.
   for (scene::ComplexCell& cell : cells.cells) {
-    const auto first = cells.opening_numbers.begin() + cell.first_opening;
-    const auto inner = std::stable_partition(first, first + cell.opening_count, [&](std::uint32_t n) {
+    const auto own = std::span(cells.opening_numbers).subspan(cell.first_opening, cell.opening_count);
+    const auto inner = std::stable_partition(own.begin(), own.end(), [&](std::uint32_t n) {
       return cells.openings[n].cells[0] != scene::outside && cells.openings[n].cells[1] != scene::outside;
     });
-    cell.opening_count = static_cast<std::uint32_t>(inner - first);
+    cell.opening_count = static_cast<std::uint32_t>(inner - own.begin());
   }
   std::erase_if(cells.openings, [](const scene::ComplexOpening& opening) {
     return opening.cells[0] == scene::outside || opening.cells[1] == scene::outside;

@@ -20,6 +20,7 @@ base::Result<scene::SceneFile> find(const std::string& name) {
   if (!std::filesystem::exists(name, unknown)) {
     std::vector<std::string> names;
     for (const std::string_view each : scene::builtin_scene_names()) names.emplace_back(each);
+    for (const std::string_view each : scene::builtin_model_names()) names.emplace_back(each);
     return base::Error{.file = name,
                        .found = "no such file, and no built-in scene of that name",
                        .expected = "a file, FAMILY-SIZE or one of " + base::joined(names, ", "),

@@ -33,7 +33,7 @@ constexpr int longest_silence = 1000;  // ms
 // The longest delay of a busy host that the machine catches up with.
 constexpr std::chrono::milliseconds most_behind{500};
 
-constexpr char ctrl_e = 5;
+constexpr char ctrl_e = 5, ctrl_s = 19;
 constexpr std::string_view mode_names = "ascii, parity, unix or upper";
 
 std::optional<KeyCodes> codes_named(std::string_view name) {
@@ -119,7 +119,10 @@ class Session {
 
   // Types the next key if the program asks for one.
   void type() {
-    if (keys_.empty() || !machine_.wants_key()) return;
+    if (keys_.empty()) return;
+    // A program that prints does not ask for ^S.
+    const bool pauses = keys_.front() == ctrl_s && machine_.pauses_at_key();
+    if (!pauses && !machine_.wants_key()) return;
     machine_.type(code_of_key(options_.codes, keys_.front()));
     keys_.pop_front();
     idle_loop_.forget();
@@ -350,9 +353,13 @@ Stop run_console(Machine& machine, const Limits& limits, const ConsoleOptions& o
   };
   while (!stop) {
     const Limits part = next_slice();
-    while (!stop && machine.ticks() < part.until && !machine.waits_for_key()) {
+    // At the limit of the run the machine itself says so.
+    const auto runs_on = [&] {
+      return !stop && !machine.waits_for_key() && (machine.ticks() < part.until || part.until == limits.until);
+    };
+    while (runs_on()) {
       stop = session.look(part);
-      if (!stop && machine.ticks() < part.until && !machine.waits_for_key()) stop = machine.run(part, false);
+      if (runs_on()) stop = machine.run(part, false);
     }
     if (only_slice_over(stop, part)) stop.reset();
     if (!stop) {

@@ -16,21 +16,10 @@ namespace {
 using i8080::Address;
 using i8080::Byte;
 
-constexpr Byte exit_port = 0;
-constexpr Byte bdos_port = 1;
-constexpr Byte bios_port = Cpm::last_port;
-constexpr Byte jump_code = 0xC3, return_code = 0xC9, out_code = 0xD3, call_code = 0xCD;
-
-constexpr Address boot = 0x0000;
-constexpr Address bdos = 0x0005;
-// Without a console and drives: a RET with SP=0000 goes to the address formed by the bytes at 0000.
-constexpr Address returned = 0x00D3;
-// With them: the last six bytes before the entry of BDOS are CP/M's serial number; below them is the stack of a program
-// that sets none.
-constexpr Address bdos_entry = 0xF106;
-constexpr Address first_stack = 0xF0FE;
-constexpr Address bios_table = 0xF200;
-constexpr Address bios_entries = 0xF240;
+constexpr Byte call_code = 0xCD;
+constexpr Byte ctrl_c = 3, ctrl_s = 19;
+constexpr Byte last_function = 40;
+constexpr Byte return_code_function = 108;
 
 constexpr std::array<std::string_view, 41> bdos_names{
     "System Reset", "Console Input", "Console Output", "Reader Input", "Punch Output", "List Output", "Direct Console I/O",
@@ -41,14 +30,11 @@ constexpr std::array<std::string_view, 41> bdos_names{
     "Get Addr(Disk Parms)", "Set/Get User Code", "Read Random", "Write Random", "Compute File Size", "Set Random Record",
     "Reset Drive", "38", "39", "Write Random with Zero Fill"};
 
-enum Bios : unsigned { cold_boot, warm_boot, console_status, console_in, console_out, list_out, list_status = 15 };
-constexpr std::array<std::string_view, 17> bios_names{"BOOT",   "WBOOT",  "CONST", "CONIN",  "CONOUT", "LIST",
-                                                      "PUNCH",  "READER", "HOME",  "SELDSK", "SETTRK", "SETSEC",
-                                                      "SETDMA", "READ",   "WRITE", "LISTST", "SECTRAN"};
-
-void put(std::vector<std::pair<Address, Byte>>& entries, unsigned at, std::initializer_list<Byte> bytes) {
-  for (const Byte byte : bytes) entries.emplace_back(static_cast<Address>(at++), byte);
-}
+enum Bios : unsigned {
+  cold_boot, warm_boot_entry, console_status, console_in, console_out, list_out, punch_out, reader_in, home, select_disk, set_track,
+  set_sector, set_transfer, read_sector, write_sector, list_status, translate_sector
+};
+constexpr Byte end_of_tape = 0x1A;
 
 // The address of the CALL whose return address is on the stack; `entry` if the program jumped there instead.
 Address caller_of(Address entry, const Cpm::Processor& processor) {
@@ -72,97 +58,129 @@ std::optional<std::string> string_at(Address address, std::span<const Byte> memo
 
 }  // namespace
 
-void put_cpm_arguments(std::string_view words, std::span<std::uint8_t> memory) {
-  constexpr std::size_t tail = 0x80, most = 126;
-  std::string text;
-  for (const char c : words) text += static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
-  if (!text.empty()) text.insert(text.begin(), ' ');
-  text.resize(std::min(text.size(), most));
-  memory[tail] = static_cast<std::uint8_t>(text.size());
-  std::copy(text.begin(), text.end(), memory.begin() + tail + 1);
-  memory[tail + 1 + text.size()] = 0;
-
-  std::size_t at = 0;
-  for (const std::size_t block : {0x5CU, 0x6CU}) {
-    const auto next = [&]() -> std::uint8_t {
-      constexpr std::string_view ends = " =_.:;<>";
-      return at < text.size() && ends.find(text[at]) == std::string_view::npos ? static_cast<std::uint8_t>(text[at++]) : 0;
-    };
-    while (at < text.size() && text[at] == ' ') ++at;
-    std::fill_n(memory.begin() + static_cast<std::ptrdiff_t>(block), 16, std::uint8_t{0});
-    std::fill_n(memory.begin() + static_cast<std::ptrdiff_t>(block) + 1, 11, std::uint8_t{' '});
-    if (at + 1 < text.size() && text[at + 1] == ':' && text[at] >= 'A' && text[at] <= 'P') {
-      memory[block] = static_cast<std::uint8_t>(text[at] - 'A' + 1);
-      at += 2;
-    }
-    const auto field = [&](std::size_t first, std::size_t last) {
-      std::size_t n = first;
-      while (const std::uint8_t c = next()) {
-        if (c == '*') {
-          while (n < last) memory[block + n++] = '?';
-        } else if (n < last) {
-          memory[block + n++] = c;
-        }
-      }
-    };
-    field(1, 9);
-    if (at < text.size() && text[at] == '.') {
-      ++at;
-      field(9, 12);
-    }
-    while (at < text.size() && text[at] != ' ') ++at;
-  }
-}
-
 Cpm::Cpm(CpmSetup setup, std::function<void(std::string_view)> print, std::function<void(char)> list)
     : setup_(std::move(setup)),
       print_(std::move(print)),
       list_(std::move(list)),
       whole_(setup_.console || !setup_.drives.empty()),
-      files_(setup_.drives) {
-  if (!whole_) {
-    put(entries_, boot, {out_code, exit_port});
-    put(entries_, bdos, {out_code, bdos_port, return_code});
-    put(entries_, returned, {out_code, exit_port});
-    return;
-  }
-  const auto jump_to = [this](unsigned at, unsigned to) {
-    put(entries_, at, {jump_code, i8080::low(static_cast<Address>(to)), i8080::high(static_cast<Address>(to))});
-  };
-  jump_to(boot, bios_table + 3 * warm_boot);
-  jump_to(bdos, bdos_entry);
-  put(entries_, bdos_entry, {out_code, bdos_port, return_code});
-  for (unsigned n = 0; n < bios_names.size(); ++n) {
-    jump_to(bios_table + 3 * n, bios_entries + 3 * n);
-    put(entries_, bios_entries + 3 * n, {out_code, bios_port, return_code});
-  }
+      entries_(cpm::entries(whole_)),
+      files_(setup_.drives, setup_.user) {}
+
+void Cpm::prepare(std::span<Byte> memory) const {
+  if (whole_) cpm::fill_system(memory);
 }
 
 void Cpm::start(i8080::State& registers, std::span<Byte> memory) const {
   for (const auto& [address, byte] : entries_) memory[address] = byte;
-  if (whole_ || !setup_.arguments.empty()) put_cpm_arguments(setup_.arguments, memory);
+  const std::string blank = setup_.arguments.empty() ? "" : " ";
+  if (whole_ || !setup_.arguments.empty()) cpm::put_arguments(blank + setup_.arguments, memory);
   if (!whole_) return;
-  constexpr std::size_t user_and_disk = 4;
-  memory[user_and_disk] = files_.user_and_disk();
+  memory[cpm::user_and_disk] = files_.user_and_disk();
   // The CCP calls a program, so its RET leads to a warm boot.
-  if (registers.sp == 0) registers.sp = first_stack;
+  if (registers.sp == 0) registers.sp = cpm::first_stack;
 }
 
 Cpm::Outcome Cpm::out(std::uint8_t port, Processor processor) {
   const Address pc = processor.registers.pc;
-  if (port == exit_port && !whole_ && (pc == boot + 2 || pc == returned + 2)) return stop_with("exit", {});
-  if (port == bdos_port && pc == (whole_ ? bdos_entry : bdos) + 2) return call_bdos(processor);
-  if (port == bios_port && whole_ && pc >= bios_entries) {
-    const unsigned place = pc - bios_entries;
-    if (place % 3 == 2 && place / 3 < bios_names.size()) return call_bios(place / 3, processor);
+  if (port == cpm::exit_port && !whole_ && (pc == cpm::boot + 2 || pc == cpm::returned + 2)) return warm_boot(processor);
+  if (port == cpm::bdos_port && pc == (whole_ ? cpm::bdos_entry : cpm::bdos) + 2) return call_bdos(processor);
+  if (!whole_) return Outcome::no;
+  if (port == cpm::bios_port && pc >= cpm::bios_entries) {
+    const unsigned place = pc - cpm::bios_entries;
+    if (place % 3 == 2 && place / 3 < cpm::bios_functions) return call_bios(place / 3, processor);
   }
-  return Outcome::no;
+  const auto at = static_cast<Address>(pc - 2);
+  if (at < cpm::bdos_base || (port != cpm::fill_port && port != cpm::fill_port_at_end)) return Outcome::no;
+  return stop_at_call("no_entry", at, processor,
+                      fmt::format("found a jump to {:04X}, expected an entry: that of BDOS at {:04X}, or one of the BIOS, every third address from {:04X} "
+                                  "(BOOT) to {:04X} (SECTRAN)",
+                                  at, cpm::bdos_entry, cpm::bios_table, cpm::bios_table + 3 * translate_sector));
 }
 
-// Ends the run; a complaint is prefixed with the address of the call.
-Cpm::Outcome Cpm::stop_with(std::string_view name, std::string_view complaint) {
-  stop_ = {name, complaint.empty() ? std::string() : fmt::format("PC {:04X}: stopped: {}", *caller_, complaint)};
+// Ends the run at a call; the complaint is prefixed with its address.
+Cpm::Outcome Cpm::stop_at_call(std::string_view name, Address entry, Processor processor, std::string_view complaint) {
+  caller_ = caller_of(entry, processor);
+  return stop_with(name, fmt::format("PC {:04X}: stopped: {}", *caller_, complaint));
+}
+
+// Ends the run. A complaint about a command names it, and says how many follow.
+Cpm::Outcome Cpm::stop_with(std::string_view name, std::string complaint) {
+  if (!complaint.empty() && commands_begun_ != 0) {
+    complaint = fmt::format("command {} of {}, \"{}\": {}", commands_begun_, setup_.commands.size(), setup_.commands[commands_begun_ - 1].text, complaint);
+    const std::size_t left = setup_.commands.size() - commands_begun_;
+    if (left != 0) complaint += left == 1 ? "; the command after it was not run" : fmt::format("; the {} commands after it were not run", left);
+  }
+  stop_ = {name, std::move(complaint)};
   return Outcome::stopped;
+}
+
+// --- Commands ---
+
+// That of the host's command: the low byte of the return code. CP/M 3 takes codes from FF00 on as failures, also FF00.
+unsigned Cpm::exit_code() const {
+  constexpr unsigned failures = 0xFF00, failed = 3;
+  const unsigned code = i8080::low(return_code_);
+  return code == 0 && return_code_ >= failures ? failed : code;
+}
+
+// The end of a program, and the beginning of the next.
+Cpm::Outcome Cpm::warm_boot(Processor processor) {
+  if (const unsigned code = exit_code(); code != 0) {
+    const Outcome stopped = stop_with("exit", fmt::format("the program set the return code {:04X} by BDOS function 108", return_code_));
+    stop_.exit_code = code;
+    return stopped;
+  }
+  if (interrupted_ && commands_begun_ != 0) return stop_with("exit", "ended by ^C");
+  if (commands_begun_ == setup_.commands.size()) return stop_with("exit", {});
+  return run_next_command(processor);
+}
+
+// As the CCP does: the rest of memory stays. User and disk are those of byte 0004.
+Cpm::Outcome Cpm::run_next_command(Processor processor) {
+  std::span<Byte> memory = processor.memory;
+  cpm::fill_system(memory);
+  if (commands_begun_ != 0) files_.restart(memory[cpm::user_and_disk]);
+  return_code_ = 0;
+  while (commands_begun_ < setup_.commands.size()) {
+    const CpmCommand& command = setup_.commands[commands_begun_++];
+    if (log_.wanted()) {
+      log_.write([&](std::string& log) { log += fmt::format("{} command {} {}\n", processor.now, commands_begun_, command.text); });
+    }
+    if (command.program.empty()) {
+      const unsigned user = command.user.value_or(files_.state().user);
+      const unsigned disk = command.drive.value_or(files_.state().disk);
+      files_.restart(static_cast<Byte>(user << 4U | disk));
+      if (files_.state().disk != disk) return stop_with("no_program", fmt::format("found drive {}, expected one given by --cpm-drive", static_cast<char>('A' + disk)));
+      continue;
+    }
+    const auto why = static_cast<CpmFiles::Load>(load(command, processor).hl);
+    const std::string file = fmt::format("{}:{}.COM", static_cast<char>('A' + command.drive.value_or(files_.state().disk)), command.program);
+    const std::string builtin = is_built_into_ccp(command.program) ? "; it is built into CP/M's CCP, which is not here" : "";
+    switch (why) {
+      case CpmFiles::Load::no_drive: return stop_with("no_program", fmt::format("found {}, expected a drive given by --cpm-drive", file));
+      case CpmFiles::Load::no_file: return stop_with("no_program", fmt::format("found no {} of user {}{}", file, files_.state().user, builtin));
+      case CpmFiles::Load::unreadable: return stop_with("no_program", fmt::format("{} cannot be read", file));
+      case CpmFiles::Load::too_large:
+        return stop_with("no_program", fmt::format("{} is too large, expected {} bytes at most", file, cpm::bdos_base - cpm::program));
+      case CpmFiles::Load::done: break;
+    }
+    for (const auto& [address, byte] : entries_) memory[address] = byte;
+    memory[cpm::user_and_disk] = files_.user_and_disk();
+    cpm::put_arguments(command.tail, memory);
+    processor.registers.sp = cpm::first_stack;
+    processor.registers.pc = cpm::program;
+    return Outcome::answered;
+  }
+  return stop_with("exit", {});
+}
+
+CpmFiles::Answer Cpm::load(const CpmCommand& command, Processor processor) {
+  const auto ask = [&] {
+    const unsigned drive = command.drive.value_or(files_.state().disk);
+    return CpmFiles::Answer{static_cast<std::uint16_t>(files_.load(drive, command.program, cpm::bdos_base, processor.memory))};
+  };
+  if (!setup_.journal) return ask();
+  return recorded_answer({static_cast<Byte>(commands_begun_), files_.user_and_disk()}, processor, ask);
 }
 
 void Cpm::return_value(i8080::State& registers, std::uint16_t value) const {
@@ -174,101 +192,160 @@ void Cpm::return_value(i8080::State& registers, std::uint16_t value) const {
 // --- Functions ---
 
 Cpm::Outcome Cpm::call_bdos(Processor processor) {
+  function_ = i8080::low(processor.registers.bc);
+  if (log_.wanted()) {
+    const std::uint16_t de = processor.registers.de;
+    call_ = {processor.now, caller_of(cpm::bdos, processor), de, CpmFiles::has_block(function_) && files_.has_drives() ? files_.file_of(de, processor.memory) : ""};
+  }
+  const Outcome outcome = answer_bdos(processor);
+  if (waiting_ == Waiting::no) log_call(processor);
+  return outcome;
+}
+
+Cpm::Outcome Cpm::answer_bdos(Processor processor) {
   i8080::State& registers = processor.registers;
-  function_ = i8080::low(registers.bc);
+  const Byte e = i8080::low(registers.de);
   switch (function_) {
-    case 0: registers.pc = boot; return Outcome::answered;
-    case 2: print_(std::string(1, static_cast<char>(i8080::low(registers.de)))); return Outcome::answered;
-    case 5: list_(static_cast<char>(i8080::low(registers.de))); return Outcome::answered;
+    case 0: registers.pc = cpm::boot; return Outcome::answered;
+    case 2: print(processor, std::string(1, static_cast<char>(e))); return Outcome::answered;
+    case 3: return_value(registers, end_of_tape); return Outcome::answered;
+    case 4:
+      ++punched_;
+      return_value(registers, 0);
+      return Outcome::answered;
+    case 5: list_(static_cast<char>(e)); return Outcome::answered;
+    case 7: return_value(registers, processor.memory[cpm::io_byte]); return Outcome::answered;
+    case 8:
+      processor.memory[cpm::io_byte] = e;
+      return_value(registers, 0);
+      return Outcome::answered;
     case 9:
       if (const auto text = string_at(registers.de, processor.memory)) {
-        print_(*text);
+        print(processor, *text);
         return Outcome::answered;
       }
-      caller_ = caller_of(bdos, processor);
-      return stop_with("endless_string", "found no $ in memory for BDOS function 9, expected one at the end of the text");
+      return stop_at_call("endless_string", cpm::bdos, processor, "found no $ in memory for BDOS function 9, expected one at the end of the text");
     case 1:
     case 10:
       if (!setup_.console) break;
       wait_for(function_ == 1 ? Waiting::key : Waiting::line, processor);
       return Outcome::answered;
-    case 6:
-      if (!setup_.console) break;
-      direct_input_output(processor);
-      return Outcome::answered;
+    case 6: direct_input_output(processor); return Outcome::answered;
     case 11:
-      if (!setup_.console) break;
       return_value(registers, key_is_there() ? 0xFF : 0x00);
       return Outcome::answered;
+    case 27:
+    case 31:
+      cpm::put_disk_tables(processor.memory);
+      return_value(registers, function_ == 27 ? cpm::allocation : cpm::disk_parameters);
+      return Outcome::answered;
+    case return_code_function:
+      if (registers.de == 0xFFFF) {
+        return_value(registers, return_code_);
+      } else {
+        return_code_ = registers.de;
+        return_value(registers, 0);
+      }
+      return Outcome::answered;
     default:
-      if (CpmFiles::answers(function_) && files_.has_drives()) return call_files(processor);
+      if (!CpmFiles::answers(function_)) {
+        if (function_ > last_function && unknown_.calls++ == 0) {
+          unknown_.function = function_;
+          unknown_.caller = caller_of(cpm::bdos, processor);
+        }
+        return_value(registers, 0);
+        return Outcome::answered;
+      }
+      if (files_.has_drives() || !CpmFiles::needs_drive(function_)) return call_files(processor);
       break;
   }
-  caller_ = caller_of(bdos, processor);
-  const std::string name =
-      function_ < bdos_names.size() ? fmt::format(" ({})", bdos_names[function_]) : std::string();
-  std::string expected = setup_.console ? "0, 1, 2, 5, 6, 9, 10, 11" : "0, 2, 5, 9";
-  if (files_.has_drives()) expected += ", 12 to 26, 28 to 30, 32 to 37, 40";
-  if (!setup_.console) expected += "; 1, 6, 10, 11 with --console MODE";
-  if (!files_.has_drives()) expected += "; 12 to 37 and 40 with --cpm-drive A=FOLDER";
-  return stop_with("unknown_bdos", fmt::format("found a call of BDOS function {}{}, expected {}", function_, name, expected));
+  const std::string_view option = CpmFiles::answers(function_) ? "--cpm-drive A=FOLDER" : "--console MODE";
+  return stop_at_call("unknown_bdos", cpm::bdos, processor, fmt::format("found a call of BDOS function {} ({}), which needs {}", function_, bdos_names[function_], option));
 }
 
 Cpm::Outcome Cpm::call_bios(unsigned function, Processor processor) {
+  constexpr Byte failed = 1, ready = 0xFF;
   i8080::State& registers = processor.registers;
   switch (function) {
     case cold_boot:
-    case warm_boot: return stop_with("exit", {});
-    case console_status: registers.a = setup_.console && key_is_there() ? 0xFF : 0x00; return Outcome::answered;
+    case warm_boot_entry: return warm_boot(processor);
+    case console_status: registers.a = key_is_there() ? 0xFF : 0x00; break;
     case console_in:
-      if (!setup_.console) break;
+      if (!setup_.console) {
+        return stop_at_call("unknown_bios", static_cast<Address>(cpm::bios_table + 3 * function), processor,
+                            "found a call of CONIN of the BIOS, which needs --console MODE");
+      }
       wait_for(Waiting::bios_key, processor);
-      return Outcome::answered;
-    case console_out: print_(std::string(1, static_cast<char>(i8080::low(registers.bc)))); return Outcome::answered;
-    case list_out: list_(static_cast<char>(i8080::low(registers.bc))); return Outcome::answered;
-    case list_status: registers.a = 0xFF; return Outcome::answered;
-    default: break;
+      break;
+    case console_out: print_(std::string(1, static_cast<char>(i8080::low(registers.bc)))); break;
+    case list_out: list_(static_cast<char>(i8080::low(registers.bc))); break;
+    case punch_out: ++punched_; break;
+    case reader_in: registers.a = end_of_tape; break;
+    case select_disk: registers.hl = 0; break;  // there is no such drive
+    case read_sector:
+    case write_sector: registers.a = failed; break;
+    case list_status: registers.a = ready; break;
+    case translate_sector: registers.hl = registers.bc; break;
+    default: break;  // HOME and the SETs
   }
-  caller_ = caller_of(static_cast<Address>(bios_table + 3 * function), processor);
-  return stop_with("unknown_bios", fmt::format("found a call of {} of the BIOS, expected BOOT, WBOOT, CONST, CONIN (with --console MODE), CONOUT, LIST "
-                             "or LISTST: drives are folders and have no sectors",
-                             bios_names[function]));
+  return Outcome::answered;
 }
 
 Cpm::Outcome Cpm::call_files(Processor processor) {
-  const std::uint16_t de = processor.registers.de;
-  const CpmFiles::Answer answer = setup_.journal && CpmFiles::needs_host(function_)
-                                      ? recorded_answer(processor)
-                                      : files_.call(function_, de, processor.memory);
+  const auto ask = [&] { return files_.call(function_, processor.registers.de, processor.memory); };
+  const CpmFiles::Answer answer =
+      setup_.journal && CpmFiles::needs_host(function_) ? recorded_answer(question_of_call(processor), processor, ask) : ask();
   if (!answer.fault) {
     return_value(processor.registers, answer.hl);
     return Outcome::answered;
   }
   const std::string text = fmt::format("Bdos Err On {}: {}", answer.fault->drive, answer.fault->why);
-  print_("\r\n" + text + "\r\n");
-  caller_ = caller_of(bdos, processor);
-  return stop_with("bdos_error", fmt::format("found \"{}\" in BDOS function {} ({}), after which CP/M ends a program, expected a drive and a file "
-                             "that the program may use",
-                             text, function_, bdos_names[function_]));
+  print_at_once("\r\n" + text + "\r\n");
+  return stop_at_call("bdos_error", cpm::bdos, processor,
+                      fmt::format("found \"{}\" in BDOS function {} ({}), after which CP/M ends a program, expected a drive and a file "
+                                  "that the program may use",
+                                  text, function_, bdos_names[function_]));
+}
+
+// --- The log ---
+
+// A line: T CALLER FUNCTION NAME DE=XXXX [FILE] HL=XXXX. It has the registers of the answer.
+void Cpm::log_call(Processor processor) {
+  if (!call_) return;
+  const std::string_view name = function_ < bdos_names.size() ? bdos_names[function_] : function_ == return_code_function ? "Program Return Code" : "unknown";
+  log_.write([&](std::string& log) {
+    log += fmt::format("{} {:04X} {} {} DE={:04X}{}{} A={:02X} HL={:04X}\n", call_->time, call_->caller, function_, name, call_->de, call_->file.empty() ? "" : " ",
+                       call_->file, processor.registers.a, processor.registers.hl);
+  });
+  call_.reset();
+}
+
+std::vector<EarlyWarning> Cpm::warnings() const {
+  std::vector<EarlyWarning> warnings;
+  const auto times = [](std::uint64_t count) { return count == 1 ? std::string("once") : fmt::format("{} times", count); };
+  if (unknown_.calls != 0) {
+    warnings.push_back({fmt::format("PC {:04X}: calls BDOS function {}, expected 0 to 40: CP/M 2.2 answers all above with 0", unknown_.caller, unknown_.function),
+                        unknown_.calls == 1 ? "once" : fmt::format("{} such calls", unknown_.calls)});
+  }
+  for (const CpmFiles::Trouble& each : files_.troubles()) warnings.push_back({each.text, each.times == 1 ? "" : times(each.times)});
+  return warnings;
+}
+
+std::vector<ReportLine> Cpm::lines() const {
+  std::vector<ReportLine> lines;
+  if (!setup_.commands.empty()) lines.push_back({"commands", fmt::format("{} of {}", commands_begun_, setup_.commands.size())});
+  if (return_code_ != 0) lines.push_back({"return code", fmt::format("{:04X}", return_code_)});
+  if (punched_ != 0) lines.push_back({"punch", fmt::format("{} characters, not kept", punched_)});
+  return lines;
 }
 
 // --- Repeated runs ---
 
 // If the same call is made at the same time with the same data, the answer is the recorded one and the host is not
 // accessed. Any other call begins a different run, so later records are invalid.
-CpmFiles::Answer Cpm::recorded_answer(Processor processor) {
-  constexpr std::size_t block = 36;
-  const std::uint16_t de = processor.registers.de;
+CpmFiles::Answer Cpm::recorded_answer(std::vector<Byte> question, Processor processor, const std::function<CpmFiles::Answer()>& ask) {
   CpmFiles::State& state = files_.state();
-  std::vector<Byte> question{function_, i8080::low(de), i8080::high(de), i8080::low(state.transfer),
-                             i8080::high(state.transfer), state.disk};
-  const auto add = [&](Address at, std::size_t bytes) {
-    for (std::size_t n = 0; n < bytes; ++n) question.push_back(processor.memory[static_cast<Address>(at + n)]);
-  };
-  add(de, block);
-  add(state.transfer, CpmFiles::record);
   const std::uint32_t asked = base::crc32(question);
-
   const auto known = std::lower_bound(journal_.begin(), journal_.end(), processor.now,
                                       [](const HostCall& each, std::int64_t time) { return each.time < time; });
   if (known != journal_.end() && known->time == processor.now && known->asked == asked) {
@@ -278,12 +355,26 @@ CpmFiles::Answer Cpm::recorded_answer(Processor processor) {
   }
   journal_.erase(known, journal_.end());
   const std::vector<Byte> before(processor.memory.begin(), processor.memory.end());
-  HostCall done{processor.now, asked, files_.call(function_, de, processor.memory), state, {}};
+  HostCall done{processor.now, asked, ask(), state, {}};
   for (std::size_t at = 0; at < before.size(); ++at) {
     if (processor.memory[at] != before[at]) done.written.emplace_back(static_cast<Address>(at), processor.memory[at]);
   }
   journal_.push_back(done);
   return done.answer;
+}
+
+// Everything that the answer to a call depends on, except the host.
+std::vector<Byte> Cpm::question_of_call(Processor processor) {
+  constexpr std::size_t block = 36;
+  const std::uint16_t de = processor.registers.de;
+  const CpmFiles::State& state = files_.state();
+  std::vector<Byte> question{function_, i8080::low(de), i8080::high(de), i8080::low(state.transfer), i8080::high(state.transfer), files_.user_and_disk()};
+  const auto add = [&](Address at, std::size_t bytes) {
+    for (std::size_t n = 0; n < bytes; ++n) question.push_back(processor.memory[static_cast<Address>(at + n)]);
+  };
+  add(de, block);
+  add(state.transfer, CpmFiles::record);
+  return question;
 }
 
 std::int64_t Cpm::trim_journal(std::size_t most) {
@@ -343,44 +434,88 @@ bool Cpm::resume(Processor processor) {
         waiting_ = Waiting::no;
         processor.registers.a = key;
         break;
+      case Waiting::paused:
+        waiting_ = Waiting::no;
+        if ((key & 0x7FU) == ctrl_c) end_by_key(processor);
+        else print_unprinted();
+        break;
       default: edit_line(key, processor); break;
     }
   }
+  if (waiting_ == Waiting::no) log_call(processor);
   return waiting_ == Waiting::no;
+}
+
+// Output of functions 2 and 9. As in BDOS, a ^S that has been typed stops it until the next key; ^C then ends the program.
+void Cpm::print(Processor processor, std::string_view text) {
+  unprinted_.assign(text.begin(), text.end());
+  print_unprinted();
+  if (waiting_ == Waiting::paused) static_cast<void>(resume(processor));
+}
+
+void Cpm::print_unprinted() {
+  const bool stops = !keys_.empty() && (keys_.front() & 0x7FU) == ctrl_s && !unprinted_.empty();
+  if (stops) {
+    static_cast<void>(take_key());
+    waiting_ = Waiting::paused;
+    return;
+  }
+  print_at_once({reinterpret_cast<const char*>(unprinted_.data()), unprinted_.size()});
+  unprinted_.clear();
+}
+
+// A tab becomes blanks up to the next eighth column. As in BDOS, only a line feed ends a line.
+void Cpm::print_at_once(std::string_view text) {
+  std::string printed;
+  for (const char c : text) {
+    if (c == '\t') {
+      do {
+        printed += ' ';
+        ++column_;
+      } while (column_ % 8 != 0);
+      continue;
+    }
+    printed += c;
+    const auto code = static_cast<unsigned char>(c);
+    if (code >= ' ' && code != 0x7F) ++column_;
+    else if (c == '\b' && column_ != 0) --column_;
+    else if (c == '\n') column_ = 0;
+  }
+  print_(printed);
 }
 
 // As CP/M echoes: control characters are not sent, except those that move the carriage.
 void Cpm::echo(Byte key) {
   constexpr std::string_view carriage = "\r\n\t\b";
   const char c = static_cast<char>(key & 0x7FU);
-  if (c >= ' ' || carriage.find(c) != std::string_view::npos) print_(std::string(1, c));
+  if (c >= ' ' || carriage.find(c) != std::string_view::npos) print_at_once(std::string_view(&c, 1));
 }
 
 // Function 10 (Interface Guide, "Read Console Buffer"): DE is the address of the length of the buffer, followed by the
 // number of characters read and the characters.
 void Cpm::edit_line(Byte key, Processor processor) {
-  constexpr Byte ctrl_c = 3, backspace = 8, line_feed = 10, carriage_return = 13, ctrl_u = 21, ctrl_x = 24, rubout = 127;
+  constexpr Byte backspace = 8, line_feed = 10, carriage_return = 13, ctrl_u = 21, ctrl_x = 24, rubout = 127;
   switch (key & 0x7FU) {
     case ctrl_c:
       if (!line_.empty()) break;
       waiting_ = Waiting::no;
-      print_("^C\r\n");
-      processor.registers.pc = boot;
+      print_at_once("^C\r\n");
+      end_by_key(processor);
       return;
     case backspace:
     case rubout:
       if (line_.empty()) return;
       line_.pop_back();
-      print_("\b \b");
+      print_at_once("\b \b");
       return;
     case ctrl_u:
     case ctrl_x:
       line_.clear();
-      print_("#\r\n");
+      print_at_once("#\r\n");
       return;
     case line_feed:
     case carriage_return:
-      print_("\r");
+      print_at_once("\r");
       store_line(processor);
       return;
     default: break;
@@ -388,6 +523,13 @@ void Cpm::edit_line(Byte key, Processor processor) {
   line_.push_back(key);
   echo(key);
   if (line_.size() >= processor.memory[processor.registers.de]) store_line(processor);
+}
+
+// ^C
+void Cpm::end_by_key(Processor processor) {
+  unprinted_.clear();
+  interrupted_ = true;
+  processor.registers.pc = cpm::boot;
 }
 
 void Cpm::store_line(Processor processor) {
@@ -401,6 +543,8 @@ void Cpm::store_line(Processor processor) {
 
 void Cpm::add_details(base::Json& report) const {
   if (caller_) report["bdos"] = base::Json{{"function", function_}, {"caller", fmt::format("{:04X}", *caller_)}};
+  if (return_code_ != 0) report["return_code"] = fmt::format("{:04X}", return_code_);
+  if (!setup_.commands.empty()) report["commands"] = base::Json{{"begun", commands_begun_}, {"of", setup_.commands.size()}};
 }
 
 }  // namespace sightline::machines

@@ -8,9 +8,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace sightline::machines {
@@ -24,13 +26,6 @@ constexpr std::uint8_t end_of_text = 0x1A;
 constexpr std::uint8_t empty_entry = 0xE5;
 // Result codes of reading and writing (Interface Guide, functions 20, 21, 33 and 34).
 constexpr std::uint8_t done = 0, behind_end = 1, disk_full = 2, no_extent = 4, behind_disk = 6;
-
-// Function numbers of the Interface Guide.
-enum Function : std::uint8_t {
-  version = 12, reset_disks, select_disk, open_file, close_file, search_first, search_next, delete_file, read_sequential,
-  write_sequential, make_file, rename_file, login_vector, current_disk, set_transfer, write_protect = 28, read_only_vector,
-  file_attributes, user_code = 32, read_direct, write_direct, file_size, random_record, reset_drives, write_zero_filled = 40
-};
 
 // The characters allowed in a name. CP/M forbids fewer; with these no name leads out of a folder.
 bool belongs_in_name(std::uint8_t c) {
@@ -168,7 +163,7 @@ class CpmFiles::Descriptor {
 };
 
 struct CpmFiles::OpenFile {
-  unsigned drive;
+  Area area;
   Name name;
   Descriptor file;
   bool writes = false;
@@ -183,6 +178,7 @@ struct CpmFiles::OpenFile {
 struct CpmFiles::Host {
   struct Drive {
     Descriptor folder;
+    std::string path = {};
     bool read_only = false;
   };
   std::array<Drive, most_drives> drives;
@@ -190,15 +186,36 @@ struct CpmFiles::Host {
   static constexpr std::size_t most_open = 8;
   std::vector<OpenFile> open;
 
-  [[nodiscard]] bool exists(unsigned drive, const std::string& name) const {
+  // The folder of an area; none if it does not exist. `make`: it is made. A drive's folder that was removed and made again
+  // during the run is opened again.
+  [[nodiscard]] Descriptor folder(Area area, bool make = false) {
+    constexpr int flags = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
+    Drive& drive = drives[area.drive];
     struct stat found {};
-    return ::fstatat(drives[drive].folder.number(), name.c_str(), &found, AT_SYMLINK_NOFOLLOW) == 0 && S_ISREG(found.st_mode);
+    if (::fstat(drive.folder.number(), &found) != 0) return Descriptor();
+    if (found.st_nlink == 0) {
+      Descriptor again(::open(drive.path.c_str(), flags));
+      if (!again) return again;
+      drive.folder = std::move(again);
+    }
+    if (area.user == 0) return Descriptor(::openat(drive.folder.number(), ".", flags));
+    const std::string name = std::to_string(area.user);
+    if (make) static_cast<void>(::mkdirat(drive.folder.number(), name.c_str(), 0777));
+    return Descriptor(::openat(drive.folder.number(), name.c_str(), flags | O_NOFOLLOW));
   }
 
-  // All files of a drive in the order of their CP/M names; of names that differ only in case, the first.
-  [[nodiscard]] std::vector<std::pair<Name, std::string>> list(unsigned drive) const {
+  // The status of a file; nullopt if it is no regular file.
+  [[nodiscard]] static std::optional<struct stat> status(const Descriptor& folder, const std::string& name) {
+    struct stat found {};
+    if (!folder || ::fstatat(folder.number(), name.c_str(), &found, AT_SYMLINK_NOFOLLOW) != 0 || !S_ISREG(found.st_mode)) return std::nullopt;
+    return found;
+  }
+
+  // All files of an area in the order of their CP/M names; of names that differ only in case, the first. `unseen` gets the
+  // other regular files, except those whose names begin with a dot.
+  [[nodiscard]] static std::vector<std::pair<Name, std::string>> list(const Descriptor& area, std::vector<std::string>* unseen = nullptr) {
     std::vector<std::pair<Name, std::string>> files;
-    const int folder = ::openat(drives[drive].folder.number(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const int folder = area ? ::openat(area.number(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;
     if (folder < 0) return files;
     DIR* const entries = ::fdopendir(folder);
     if (entries == nullptr) {
@@ -206,30 +223,38 @@ struct CpmFiles::Host {
       return files;
     }
     while (const dirent* const entry = ::readdir(entries)) {
-      if (const auto name = cpm_name(entry->d_name); name && exists(drive, entry->d_name)) files.emplace_back(*name, entry->d_name);
+      const auto name = cpm_name(entry->d_name);
+      if ((!name && unseen == nullptr) || !status(area, entry->d_name)) continue;
+      if (name) files.emplace_back(*name, entry->d_name);
+      else if (entry->d_name[0] != '.') unseen->emplace_back(entry->d_name);
     }
     static_cast<void>(::closedir(entries));
     std::sort(files.begin(), files.end());
-    files.erase(std::unique(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.first == b.first; }),
-                files.end());
+    const auto same = [](const auto& a, const auto& b) { return a.first == b.first; };
+    for (std::size_t n = 1; unseen != nullptr && n < files.size(); ++n) {
+      if (same(files[n - 1], files[n])) unseen->push_back(files[n].second);
+    }
+    files.erase(std::unique(files.begin(), files.end(), same), files.end());
     return files;
   }
 
   // The host's name of a file.
-  [[nodiscard]] std::optional<std::string> find(unsigned drive, const Name& name) const {
+  [[nodiscard]] static std::optional<std::string> find(const Descriptor& folder, const Name& name) {
     const auto upper_case = host_name(name);
     if (!upper_case) return std::nullopt;
-    if (exists(drive, *upper_case)) return upper_case;  // the first of all spellings
-    for (const auto& [each, host] : list(drive)) {
+    if (status(folder, *upper_case)) return upper_case;  // the first of all spellings
+    for (const auto& [each, host] : list(folder)) {
       if (each == name) return host;
     }
     return std::nullopt;
   }
+  [[nodiscard]] std::optional<std::string> find(Area area, const Name& name) { return find(folder(area), name); }
 
-  // Null if the file does not exist or the host denies access.
-  [[nodiscard]] OpenFile* use(unsigned drive, const Name& name, bool writes) {
+  // Null if the file does not exist or the host denies access; then `error` is 0 or the host's.
+  [[nodiscard]] OpenFile* use(Area area, const Name& name, bool writes, int& error) {
+    error = 0;
     const auto known = std::find_if(open.begin(), open.end(),
-                                    [&](const OpenFile& each) { return each.drive == drive && each.name == name; });
+                                    [&](const OpenFile& each) { return each.area == area && each.name == name; });
     if (known != open.end()) {
       if (known->length() && (known->writes || !writes)) {
         std::rotate(known, known + 1, open.end());
@@ -237,30 +262,33 @@ struct CpmFiles::Host {
       }
       open.erase(known);
     }
-    const auto host = find(drive, name);
+    const Descriptor place = folder(area);
+    const auto host = find(place, name);
     if (!host) return nullptr;
     // Follows no link, and does not wait if a pipe has since taken the name.
     const int flags = (writes ? O_RDWR : O_RDONLY) | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
-    OpenFile file{drive, name, Descriptor(::openat(drives[drive].folder.number(), host->c_str(), flags)), writes};
+    OpenFile file{area, name, Descriptor(::openat(place.number(), host->c_str(), flags)), writes};
     struct stat found {};
-    if (!file.file || ::fstat(file.file.number(), &found) != 0 || !S_ISREG(found.st_mode)) return nullptr;
+    if (!file.file || ::fstat(file.file.number(), &found) != 0) {
+      error = errno;
+      return nullptr;
+    }
+    if (!S_ISREG(found.st_mode)) return nullptr;
     if (open.size() == most_open) open.erase(open.begin());
     open.push_back(std::move(file));
     return &open.back();
   }
-  void forget(unsigned drive, const Name& name) {
-    std::erase_if(open, [&](const OpenFile& each) { return each.drive == drive && each.name == name; });
+  void forget(Area area, const Name& name) {
+    std::erase_if(open, [&](const OpenFile& each) { return each.area == area && each.name == name; });
   }
   // The attribute R/O is the host's permission.
-  [[nodiscard]] bool is_read_only(unsigned drive, const std::string& name) const {
-    struct stat found {};
-    return ::fstatat(drives[drive].folder.number(), name.c_str(), &found, AT_SYMLINK_NOFOLLOW) == 0 &&
-           (found.st_mode & S_IWUSR) == 0;
+  [[nodiscard]] static bool is_read_only(const Descriptor& folder, const std::string& name) {
+    const auto found = status(folder, name);
+    return found && (found->st_mode & S_IWUSR) == 0;
   }
-  [[nodiscard]] std::uint32_t records(unsigned drive, const std::string& name) const {
-    struct stat found {};
-    if (::fstatat(drives[drive].folder.number(), name.c_str(), &found, AT_SYMLINK_NOFOLLOW) != 0) return 0;
-    return records_of(static_cast<std::uint64_t>(found.st_size));
+  [[nodiscard]] static std::uint32_t records(const Descriptor& folder, const std::string& name) {
+    const auto found = status(folder, name);
+    return found ? records_of(static_cast<std::uint64_t>(found->st_size)) : 0;
   }
 };
 
@@ -287,12 +315,12 @@ base::Result<CpmDrive> parse_cpm_drive(std::string_view text) {
   return drive;
 }
 
-CpmFiles::CpmFiles(const std::vector<CpmDrive>& drives) : host_(std::make_unique<Host>()) {
+CpmFiles::CpmFiles(const std::vector<CpmDrive>& drives, std::uint8_t user) : host_(std::make_unique<Host>()) {
   for (const CpmDrive& drive : drives) {
     const int folder = ::open(drive.folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    host_->drives[drive.number] = {Descriptor(folder), drive.read_only};
+    host_->drives[drive.number] = {Descriptor(folder), drive.folder, drive.read_only};
   }
-  state_.disk = first_disk();
+  restart(static_cast<std::uint8_t>(user << 4U | first_disk()));
 }
 
 CpmFiles::~CpmFiles() = default;
@@ -306,16 +334,6 @@ std::uint8_t CpmFiles::first_disk() const {
   const auto& drives = host_->drives;
   const auto first = std::find_if(drives.begin(), drives.end(), [](const Host::Drive& each) { return bool(each.folder); });
   return first == drives.end() ? std::uint8_t{0} : static_cast<std::uint8_t>(first - drives.begin());
-}
-
-bool CpmFiles::answers(std::uint8_t function) {
-  return (function >= version && function <= set_transfer) || (function >= write_protect && function <= file_attributes) ||
-         (function >= user_code && function <= reset_drives) || function == write_zero_filled;
-}
-
-bool CpmFiles::needs_host(std::uint8_t function) {
-  return (function >= open_file && function <= rename_file) || function == file_attributes ||
-         (function >= read_direct && function <= file_size) || function == write_zero_filled;
 }
 
 unsigned CpmFiles::drive_of(const Block& fcb) const {
@@ -334,6 +352,108 @@ std::optional<CpmFiles::Fault> CpmFiles::locked(unsigned drive) const {
   return Fault{static_cast<char>('A' + drive), "R/O"};
 }
 
+void CpmFiles::restart(std::uint8_t user_and_disk) {
+  const unsigned wanted = user_and_disk & 0x0FU;
+  state_.disk = host_->drives[wanted].folder ? static_cast<std::uint8_t>(wanted) : first_disk();
+  state_.user = user_and_disk >> 4U;
+  state_.transfer = 0x0080;
+  state_.logged_in = state_.read_only = 0;
+  static_cast<void>(select(state_.disk));
+}
+
+CpmFiles::Load CpmFiles::load(unsigned drive, std::string_view name, std::size_t end, std::span<std::uint8_t> memory) {
+  constexpr std::size_t begin = 0x0100;
+  if (select(drive)) return Load::no_drive;
+  Name file_name;
+  file_name.fill(' ');
+  std::copy_n(name.begin(), std::min<std::size_t>(name.size(), 8), file_name.begin());
+  std::copy_n("COM", 3, file_name.begin() + 8);
+  const Area area{drive, state_.user};
+  int error = 0;
+  OpenFile* const file = host_->use(area, file_name, false, error);
+  const auto length = file != nullptr ? file->length() : std::nullopt;
+  if (!length) {
+    if (error == 0) return Load::no_file;
+    note_file("reads", area, file_name, error);
+    return Load::unreadable;
+  }
+  const std::size_t size = std::size_t{records_of(*length)} * record;
+  if (*length > memory.size() || begin + size > end) return Load::too_large;
+  std::fill_n(memory.begin() + begin, size, end_of_text);
+  for (std::size_t read = 0; read < *length;) {
+    const auto got = ::pread(file->file.number(), memory.data() + begin + read, *length - read, static_cast<off_t>(read));
+    if (got < 0) return Load::unreadable;
+    if (got == 0) break;
+    read += static_cast<std::size_t>(got);
+  }
+  return Load::done;
+}
+
+// --- Troubles ---
+
+namespace {
+
+// A name as a program has it, in which any byte can be.
+std::string shown_name(const Name& name) {
+  std::string text;
+  const auto add = [&text](std::uint8_t c) { text += c > ' ' && c < 0x7F ? std::string(1, static_cast<char>(c)) : fmt::format("\\{:02X}", c); };
+  for (const auto& [first, last] : {std::pair<std::size_t, std::size_t>{0, 8}, {8, 11}}) {
+    std::size_t end = last;
+    while (end > first && name[end - 1] == ' ') --end;
+    if (first == 8 && end > first) text += '.';
+    for (std::size_t n = first; n < end; ++n) add(name[n]);
+  }
+  return text;
+}
+
+std::string shown_drive(unsigned drive, std::uint8_t user) {
+  return static_cast<char>('A' + drive) + (user == 0 ? std::string() : std::to_string(user)) + ":";
+}
+
+}  // namespace
+
+std::string CpmFiles::file_of(std::uint16_t fcb, std::span<std::uint8_t> memory) const {
+  const Block block(memory, fcb);
+  return shown_drive(drive_of(block), state_.user) + shown_name(block.name());
+}
+
+void CpmFiles::note(std::string text, int error) {
+  constexpr std::size_t most = 100;
+  if (error != 0) text += fmt::format(": {}", std::generic_category().message(error));
+  const auto known = std::find_if(troubles_.begin(), troubles_.end(), [&text](const Trouble& each) { return each.text == text; });
+  if (known != troubles_.end()) ++known->times;
+  else if (troubles_.size() < most) troubles_.push_back({std::move(text), 1});
+}
+
+void CpmFiles::note_file(std::string_view what, Area area, const Name& name, int error) {
+  const std::string file = shown_drive(area.drive, area.user) + shown_name(name);
+  const std::string& folder = host_->drives[area.drive].path;
+  if (error != 0) {
+    note(fmt::format("{}: a program {} this file, and the host does not allow it", file, what), error);
+  } else if (!host_->folder({area.drive, 0})) {
+    note(fmt::format("{}: a program {} this file, and the folder {} no longer exists", file, what, folder));
+  } else {
+    note(fmt::format("{}: a program {} this file, and it is not in the folder {}: it was never opened, or has been removed or renamed since",
+                     file, what, folder));
+  }
+}
+
+void CpmFiles::note_name(std::string_view what, const Name& name) {
+  note(fmt::format("a program {} \"{}\", expected a name of 1 to 8 and up to 3 of A-Z 0-9 ! # $ % & ' ( ) + - @ ^ _ ` {{ }} ~: the answer "
+                   "is FF",
+                   what, shown_name(name)));
+}
+
+void CpmFiles::note_unseen(unsigned drive) {
+  std::vector<std::string> unseen;
+  static_cast<void>(Host::list(host_->folder({drive, state_.user}), &unseen));
+  if (unseen.empty()) return;
+  std::sort(unseen.begin(), unseen.end());
+  const std::string others = unseen.size() == 1 ? "" : fmt::format(" and {} more", unseen.size() - 1);
+  note(fmt::format("drive {} programs do not see \"{}\"{} in {}: CP/M has 8 and 3 characters for a name, without blanks and case",
+                   shown_drive(drive, state_.user), unseen.front(), others, host_->drives[drive].path));
+}
+
 // --- Functions ---
 
 CpmFiles::Answer CpmFiles::call(std::uint8_t function, std::uint16_t de, std::span<std::uint8_t> memory) {
@@ -341,12 +461,7 @@ CpmFiles::Answer CpmFiles::call(std::uint8_t function, std::uint16_t de, std::sp
   const auto low = static_cast<std::uint8_t>(de);
   switch (function) {
     case version: return {0x0022};
-    case reset_disks:
-      state_.disk = first_disk();
-      state_.transfer = 0x0080;
-      state_.logged_in = state_.read_only = 0;
-      static_cast<void>(select(state_.disk));
-      return {};
+    case reset_disks: restart(static_cast<std::uint8_t>(state_.user << 4U | first_disk())); return {};
     case select_disk: {
       const unsigned drive = low % most_drives;
       if (const auto fault = select(drive)) return {0, fault};
@@ -382,7 +497,7 @@ CpmFiles::Answer CpmFiles::call(std::uint8_t function, std::uint16_t de, std::sp
   if (const auto fault = select(drive_of(fcb))) return {0, fault};
   switch (function) {
     case open_file: return open(fcb);
-    case close_file: return {host_->find(drive_of(fcb), fcb.name()) ? done : not_found};
+    case close_file: return close(fcb);
     case delete_file: return remove(fcb);
     case read_sequential: return read_next(fcb, memory);
     case write_sequential: return write_next(fcb, memory);
@@ -399,7 +514,7 @@ CpmFiles::Answer CpmFiles::call(std::uint8_t function, std::uint16_t de, std::sp
 
 // Writes the next directory entry to the transfer address, in the first quarter of a directory record.
 CpmFiles::Answer CpmFiles::search(std::span<std::uint8_t> memory) {
-  const bool all = state_.pattern[0] == '?';
+  const bool all = state_.pattern[0] == '?';  // the entries of all users
   const Block pattern(state_.pattern, 0);
   const unsigned drive = all ? state_.disk : drive_of(pattern);
   if (const auto fault = select(drive)) return {0, fault};
@@ -412,125 +527,169 @@ CpmFiles::Answer CpmFiles::search(std::span<std::uint8_t> memory) {
   };
   const bool every_extent = all || state_.pattern[12] == '?';
   const std::uint32_t wanted_extent = state_.pattern[12] & 0x1FU;
-  for (const auto& [name, host] : host_->list(drive)) {
-    if (!fits(name)) continue;
-    const std::uint32_t records = host_->records(drive, host);
-    // The last match is this name or an earlier one.
-    const bool behind = state_.found_extent == 0 || name > state_.found;
-    if (!behind && name != state_.found) continue;
-    std::uint32_t extent = every_extent ? 0 : wanted_extent;
-    if (!behind) {
-      if (!every_extent) continue;
-      extent = state_.found_extent;
+  const bool begins = state_.found_extent == 0;
+  const std::uint8_t first_user = all ? (begins ? std::uint8_t{0} : state_.found_user) : state_.user;
+  const std::uint8_t last_user = all ? std::uint8_t{15} : state_.user;
+  for (std::uint8_t user = first_user; user <= last_user; ++user) {
+    const Descriptor folder = host_->folder({drive, user});
+    const bool same_user = !begins && user == state_.found_user;
+    for (const auto& [name, host] : Host::list(folder)) {
+      if (!fits(name)) continue;
+      const std::uint32_t records = Host::records(folder, host);
+      // The last match is this name or an earlier one.
+      const bool behind = !same_user || name > state_.found;
+      if (!behind && name != state_.found) continue;
+      std::uint32_t extent = every_extent ? 0 : wanted_extent;
+      if (!behind) {
+        if (!every_extent) continue;
+        extent = state_.found_extent;
+      }
+      if (!has_extent(records, extent)) continue;
+      state_.found = name;
+      state_.found_user = user;
+      state_.found_extent = extent + 1;
+      for (std::size_t n = 0; n < record; ++n) memory[static_cast<std::uint16_t>(state_.transfer + n)] = n < 32 ? 0 : empty_entry;
+      const Block entry(memory, state_.transfer);
+      entry[0] = user;
+      for (std::size_t n = 0; n < name.size(); ++n) entry[n + 1] = name[n];
+      if (Host::is_read_only(folder, host)) entry[9] |= 0x80U;
+      entry.set_extent(extent);
+      entry.fill(extent, records);
+      return {done};
     }
-    if (!has_extent(records, extent)) continue;
-    state_.found = name;
-    state_.found_extent = extent + 1;
-    for (std::size_t n = 0; n < record; ++n) memory[static_cast<std::uint16_t>(state_.transfer + n)] = n < 32 ? 0 : empty_entry;
-    const Block entry(memory, state_.transfer);
-    for (std::size_t n = 0; n < name.size(); ++n) entry[n + 1] = name[n];
-    if (host_->is_read_only(drive, host)) entry[9] |= 0x80U;
-    entry.set_extent(extent);
-    entry.fill(extent, records);
-    return {done};
   }
   state_.searching = false;
+  note_unseen(drive);
   return {not_found};
 }
 
 CpmFiles::Answer CpmFiles::open(Block fcb) {
-  const unsigned drive = drive_of(fcb);
+  const Area area = area_of(fcb);
   Name name = fcb.name();
   if (fcb.ambiguous()) {
-    const auto files = host_->list(drive);
+    const auto files = Host::list(host_->folder(area));
     const auto first = std::find_if(files.begin(), files.end(), [&name](const auto& file) {
       return std::equal(name.begin(), name.end(), file.first.begin(), [](auto a, auto b) { return a == '?' || a == b; });
     });
     if (first == files.end()) return {not_found};
     name = first->first;
   }
-  const auto host = host_->find(drive, name);
-  if (!host || host_->use(drive, name, false) == nullptr) return {not_found};
-  const std::uint32_t records = host_->records(drive, *host);
+  int error = 0;
+  if (host_->use(area, name, false, error) == nullptr) {
+    if (error != 0) note_file("opens", area, name, error);
+    else if (!host_->folder({area.drive, 0})) note_file("opens", area, name, 0);
+    else note_unseen(area.drive);
+    return {not_found};
+  }
+  const Descriptor folder = host_->folder(area);
+  const auto host = Host::find(folder, name);
+  if (!host) return {not_found};
+  const std::uint32_t records = Host::records(folder, *host);
   fcb[Block::module_at] = 0;
   const std::uint32_t extent = fcb.extent();
   if (!has_extent(records, extent)) return {not_found};
   for (std::size_t n = 0; n < name.size(); ++n) fcb[n + 1] = name[n];
-  if (host_->is_read_only(drive, *host)) fcb[9] |= 0x80U;
+  if (Host::is_read_only(folder, *host)) fcb[9] |= 0x80U;
   fcb.fill(extent, records);
   return {done};
 }
 
+// Everything has been written already.
+CpmFiles::Answer CpmFiles::close(Block fcb) {
+  if (host_->find(area_of(fcb), fcb.name())) return {done};
+  note_file("closes", area_of(fcb), fcb.name(), 0);
+  return {not_found};
+}
+
 CpmFiles::Answer CpmFiles::make(Block fcb) {
-  const unsigned drive = drive_of(fcb);
-  if (const auto fault = locked(drive)) return {0, fault};
+  const Area area = area_of(fcb);
+  if (const auto fault = locked(area.drive)) return {0, fault};
   const auto name = host_name(fcb.name());
-  if (!name || fcb.ambiguous()) return {not_found};
+  if (!name || fcb.ambiguous()) {
+    note_name("makes a file named", fcb.name());
+    return {not_found};
+  }
   // Like function 15, CP/M clears the module number: MAC leaves other bytes there.
   fcb[Block::module_at] = 0;
   const bool first = fcb.extent() == 0;
-  if (host_->find(drive, fcb.name())) {
+  const Descriptor folder = host_->folder(area, true);
+  if (Host::find(folder, fcb.name())) {
     // CP/M would make a second entry with the name, which a folder cannot have. A further extent exists once it is written.
     if (first) return {not_found};
   } else {
-    const Descriptor made(::openat(host_->drives[drive].folder.number(), name->c_str(),
-                                   O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
-    if (!made) return {not_found};
+    const Descriptor made(::openat(folder.number(), name->c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+    if (!made) {
+      note_file("makes", area, fcb.name(), folder ? errno : 0);
+      return {not_found};
+    }
   }
   fcb.fill(fcb.extent(), 0);
   return {done};
 }
 
 CpmFiles::Answer CpmFiles::remove(Block fcb) {
-  const unsigned drive = drive_of(fcb);
-  if (const auto fault = locked(drive)) return {0, fault};
+  const Area area = area_of(fcb);
+  if (const auto fault = locked(area.drive)) return {0, fault};
   const Name pattern = fcb.name();
   bool any = false;
-  for (const auto& [name, host] : host_->list(drive)) {
+  const Descriptor folder = host_->folder(area);
+  for (const auto& [name, host] : Host::list(folder)) {
     if (!std::equal(pattern.begin(), pattern.end(), name.begin(), [](auto a, auto b) { return a == '?' || a == b; })) continue;
-    if (host_->is_read_only(drive, host)) return {0, Fault{static_cast<char>('A' + drive), "File R/O"}};
-    host_->forget(drive, name);
-    if (::unlinkat(host_->drives[drive].folder.number(), host.c_str(), 0) != 0) continue;
-    any = true;
+    if (Host::is_read_only(folder, host)) return {0, Fault{static_cast<char>('A' + area.drive), "File R/O"}};
+    host_->forget(area, name);
+    if (::unlinkat(folder.number(), host.c_str(), 0) == 0) any = true;
+    else if (errno != ENOENT) note_file("deletes", area, name, errno);
   }
   return {any ? done : not_found};
 }
 
 // The new name is in the second half of the block.
 CpmFiles::Answer CpmFiles::rename(Block fcb) {
-  const unsigned drive = drive_of(fcb);
-  if (const auto fault = locked(drive)) return {0, fault};
+  const Area area = area_of(fcb);
+  if (const auto fault = locked(area.drive)) return {0, fault};
   const Name to = fcb.name(17);
   const auto host_to = host_name(to);
-  const auto from = host_->find(drive, fcb.name());
+  if (!host_to) note_name("renames a file to", to);
+  const Descriptor folder = host_->folder(area);
+  const auto from = Host::find(folder, fcb.name());
   // CP/M would allow a second file of the same name.
-  if (!from || !host_to || host_->find(drive, to)) return {not_found};
-  if (host_->is_read_only(drive, *from)) return {0, Fault{static_cast<char>('A' + drive), "File R/O"}};
-  host_->forget(drive, fcb.name());
-  const int folder = host_->drives[drive].folder.number();
-  if (::renameat(folder, from->c_str(), folder, host_to->c_str()) != 0) return {not_found};
-  return {done};
+  if (!from || !host_to || Host::find(folder, to)) return {not_found};
+  if (Host::is_read_only(folder, *from)) return {0, Fault{static_cast<char>('A' + area.drive), "File R/O"}};
+  host_->forget(area, fcb.name());
+  if (::renameat(folder.number(), from->c_str(), folder.number(), host_to->c_str()) == 0) return {done};
+  note_file("renames", area, fcb.name(), errno);
+  return {not_found};
 }
 
 // The host supports only the attribute R/O.
 CpmFiles::Answer CpmFiles::set_attributes(Block fcb) {
-  const unsigned drive = drive_of(fcb);
-  if (const auto fault = locked(drive)) return {0, fault};
-  OpenFile* const file = host_->use(drive, fcb.name(), false);
+  const Area area = area_of(fcb);
+  if (const auto fault = locked(area.drive)) return {0, fault};
+  int error = 0;
+  OpenFile* const file = host_->use(area, fcb.name(), false, error);
   struct stat found {};
   if (file == nullptr || ::fstat(file->file.number(), &found) != 0) return {not_found};
   const bool lock = (fcb[9] & 0x80U) != 0;
   const mode_t writes = S_IWUSR | S_IWGRP | S_IWOTH;
   const mode_t mode = found.st_mode & 07777U;
-  if (::fchmod(file->file.number(), lock ? mode & ~writes : mode | S_IWUSR) != 0) return {not_found};
-  host_->forget(drive, fcb.name());
+  if (::fchmod(file->file.number(), lock ? mode & ~writes : mode | S_IWUSR) != 0) {
+    note_file("changes attributes of", area, fcb.name(), errno);
+    return {not_found};
+  }
+  host_->forget(area, fcb.name());
   return {done};
 }
 
 CpmFiles::Answer CpmFiles::read_record(Block& fcb, std::uint32_t number, std::span<std::uint8_t> memory,
                                        std::uint8_t behind_the_end) {
-  OpenFile* const file = host_->use(drive_of(fcb), fcb.name(), false);
+  int error = 0;
+  OpenFile* const file = host_->use(area_of(fcb), fcb.name(), false, error);
   const auto length = file != nullptr ? file->length() : std::nullopt;
+  if (!length) {
+    note_file("reads", area_of(fcb), fcb.name(), error);
+    // The block of an open file with records has its first block number.
+    if (fcb[Block::map_at] != 0) return {0, Fault{static_cast<char>('A' + drive_of(fcb)), "Bad Sector"}};
+  }
   if (!length || number >= records_of(*length)) return {behind_the_end};
   // Fills the rest of a text's last record.
   std::array<std::uint8_t, record> bytes;
@@ -549,20 +708,31 @@ CpmFiles::Answer CpmFiles::read_record(Block& fcb, std::uint32_t number, std::sp
 }
 
 CpmFiles::Answer CpmFiles::write_record(Block& fcb, std::uint32_t number, std::span<const std::uint8_t> memory) {
-  const unsigned drive = drive_of(fcb);
-  if (const auto fault = locked(drive)) return {0, fault};
-  const auto host = host_->find(drive, fcb.name());
-  if (!host) return {not_found};
-  if (host_->is_read_only(drive, *host)) return {0, Fault{static_cast<char>('A' + drive), "File R/O"}};
-  OpenFile* const file = host_->use(drive, fcb.name(), true);
+  const Area area = area_of(fcb);
+  if (const auto fault = locked(area.drive)) return {0, fault};
+  const Descriptor folder = host_->folder(area);
+  const auto host = Host::find(folder, fcb.name());
+  if (!host) {
+    note_file("writes", area, fcb.name(), 0);
+    return {not_found};
+  }
+  if (Host::is_read_only(folder, *host)) return {0, Fault{static_cast<char>('A' + area.drive), "File R/O"}};
+  int error = 0;
+  OpenFile* const file = host_->use(area, fcb.name(), true, error);
   const auto length = file != nullptr ? file->length() : std::nullopt;
-  if (!length) return {disk_full};
+  if (!length) {
+    note_file("writes", area, fcb.name(), error);
+    return {disk_full};
+  }
   std::uint64_t end = *length;
   const auto put = [&](std::span<const std::uint8_t> bytes, std::uint64_t at) {
     for (std::size_t written = 0; written < bytes.size();) {
       const auto count = ::pwrite(file->file.number(), bytes.data() + written, bytes.size() - written,
                                   static_cast<off_t>(at + written));
-      if (count <= 0) return false;
+      if (count <= 0) {
+        note_file("writes", area, fcb.name(), errno);
+        return false;
+      }
       written += static_cast<std::size_t>(count);
       end = std::max(end, at + written);
     }
@@ -612,8 +782,9 @@ CpmFiles::Answer CpmFiles::read_random(Block fcb, std::span<std::uint8_t> memory
   if (number >= most_records) return {behind_disk};
   fcb.set_extent(number / records_per_extent);
   fcb[Block::current_at] = number % records_per_extent;
-  const auto host = host_->find(drive_of(fcb), fcb.name());
-  const bool extent_is_there = host && has_extent(host_->records(drive_of(fcb), *host), fcb.extent());
+  const Descriptor folder = host_->folder(area_of(fcb));
+  const auto host = Host::find(folder, fcb.name());
+  const bool extent_is_there = host && has_extent(Host::records(folder, *host), fcb.extent());
   return read_record(fcb, number, memory, extent_is_there ? behind_end : no_extent);
 }
 
@@ -628,9 +799,10 @@ CpmFiles::Answer CpmFiles::write_random(Block fcb, std::span<std::uint8_t> memor
 }
 
 CpmFiles::Answer CpmFiles::size(Block fcb) {
-  const auto host = host_->find(drive_of(fcb), fcb.name());
+  const Descriptor folder = host_->folder(area_of(fcb));
+  const auto host = Host::find(folder, fcb.name());
   if (!host) return {not_found};
-  fcb.set_random_record(host_->records(drive_of(fcb), *host));
+  fcb.set_random_record(Host::records(folder, *host));
   return {done};
 }
 

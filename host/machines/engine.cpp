@@ -239,6 +239,9 @@ Limits from_here(const Limits& limits, const Machine& machine) {
 Result<Done> check_needs(const MachineDescription& description, const Arguments& arguments) {
   if (arguments.given("--restore")) {
     if (auto done = check_snapshot_alone(description, arguments); !done) return done;
+  } else if (arguments.given(description.instead_of_program)) {
+    if (!arguments.list("--load").empty())
+      return base::usage_error(fmt::format("{}: found a PROGRAM too, expected one of them", description.instead_of_program));
   } else if (arguments.list("--load").empty()) {
     return base::usage_error(fmt::format("run {}: needs a PROGRAM or --load FILE: without a program there is nothing to run",
                              description.name));
@@ -420,7 +423,8 @@ Result<Prepared> prepare(const MachineDescription& description, const Arguments&
   if (const auto done = (*machine)->ready(); !done) return done.error();
   if (const auto done = start(description, arguments, *loaded, **machine); !done) return done.error();
   (*machine)->set_beginning((*machine)->get(program_counter(description)));
-  (*machine)->watch_empty_memory(description, loaded->addresses, remedy_for_empty_memory(arguments, *loaded, **machine));
+  if (!arguments.given(description.instead_of_program))
+    (*machine)->watch_empty_memory(description, loaded->addresses, remedy_for_empty_memory(arguments, *loaded, **machine));
   return Prepared{std::move(*machine), *limits, loaded->warnings};
 }
 

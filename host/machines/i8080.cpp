@@ -87,7 +87,7 @@ class CpmFront final : public i8080::Front {
     core::TStateInstant at;
   };
 
-  explicit CpmFront(i8080::Machine& machine) : Front(machine, ports) {}
+  explicit CpmFront(i8080::Machine& machine) : Front(machine, Cpm::ports) {}
   void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override {
     call_ = {port, value, at};
     machine().request_stop();
@@ -98,8 +98,6 @@ class CpmFront final : public i8080::Front {
   void pass_on(const Call& call) { Front::out(call.port, call.value, call.at); }
 
  private:
-  static constexpr core::PortRange ports[]{{0, Cpm::last_port}};
-
   std::optional<Call> call_;
 };
 
@@ -115,12 +113,12 @@ class I8080Run final : public Machine, private core::KeyPollListener {
       setup_.cpm->journal = setup_.monitored;
       cpm_.emplace(*setup_.cpm, [this](std::string_view text) { print(text); }, [this](char c) { list(c); });
       cpm_front_.emplace(*machine_);
+      cpm_->prepare(machine_->memory());
     }
-    each_terminal([this](core::Terminal& terminal) { terminal.tell_polls(this); });
     if (setup_.vcd) recorder_->vcd.emplace(std::move(*setup_.vcd), clock(), [this] { return machine_->interrupt(); });
   }
 
-  [[nodiscard]] std::uint32_t words() const override { return image::byte_memory_size; }
+  [[nodiscard]] std::uint32_t words() const override { return machine_->options().memory; }
   [[nodiscard]] std::uint32_t word(std::uint32_t address) const override {
     return machine_->memory()[address];
   }
@@ -159,7 +157,7 @@ class I8080Run final : public Machine, private core::KeyPollListener {
   }
 
   [[nodiscard]] std::uint32_t start_address(std::optional<std::uint32_t> loaded) const override {
-    return cpm_ ? image::com_origin : loaded.value_or(0);
+    return cpm_ ? cpm_->start_address() : loaded.value_or(0);
   }
   void start(std::uint32_t address) override { machine_->start(static_cast<i8080::Address>(address)); }
   void reset() override { machine_->reset(); }
@@ -184,6 +182,8 @@ class I8080Run final : public Machine, private core::KeyPollListener {
       console_ = std::move(taker);
     } else if (option == "--list") {
       list_ = std::move(taker);
+    } else if (option == "--cpm-log") {
+      cpm_->take_log(std::move(taker));
     } else if (option == "--strokes") {
       plotter_.take(std::move(taker));
     } else {
@@ -220,6 +220,7 @@ class I8080Run final : public Machine, private core::KeyPollListener {
         if (machine_->now() < limit) return std::nullopt;
         return Stop{"state_limit", {}, true};
       case i8080::StopReason::unanswered: return unanswered();
+      case i8080::StopReason::undefined: return undefined();
       case i8080::StopReason::device: {
         const auto call = cpm_front_ ? cpm_front_->take_call() : std::nullopt;
         const auto stop = call ? answer(*call) : std::nullopt;
@@ -232,6 +233,7 @@ class I8080Run final : public Machine, private core::KeyPollListener {
   }
   void finish() override {
     if (recorder_) recorder_->finish(machine_->now());
+    if (cpm_) cpm_->finish();
     plotter_.finish();
   }
 
@@ -287,10 +289,13 @@ class I8080Run final : public Machine, private core::KeyPollListener {
     });
     return wants;
   }
+  [[nodiscard]] bool pauses_at_key() const override { return cpm_ && cpm_->pauses_at_key(); }
   [[nodiscard]] bool waits_for_key() const override { return (cpm_ && cpm_->waits_for_key()) || halts_for_key(); }
   [[nodiscard]] std::string take_printed() override { return std::exchange(printed_, {}); }
 
-  void return_at_polls(bool returns) override { returns_at_polls_ = returns; }
+  void return_at_polls(bool returns) override {
+    each_terminal([this, returns](core::Terminal& terminal) { terminal.tell_polls(returns ? this : nullptr); });
+  }
   [[nodiscard]] bool take_poll() override {
     const bool of_cpm = cpm_ && cpm_->take_poll();
     return std::exchange(polled_, false) || of_cpm;
@@ -344,6 +349,13 @@ class I8080Run final : public Machine, private core::KeyPollListener {
         {"emulated time", fmt::format("{} s at {} Hz", seconds_text(machine_->now(), clock()), clock().hertz)},
         {"instructions", fmt::format("{}", machine_->instructions())}};
     if (has_hold()) lines.push_back({"held", fmt::format("{} T-states", machine_->held())});
+    std::string undefined;
+    for (const i8080::UndefinedOpcode& each : machine_->undefined().all)
+      undefined += fmt::format("{}{:02X} at {:04X} ({})", undefined.empty() ? "" : ", ", each.opcode, each.first, each.count);
+    if (!undefined.empty()) lines.push_back({"undefined", "opcodes " + undefined});
+    if (cpm_) {
+      for (ReportLine& line : cpm_->lines()) lines.push_back(std::move(line));
+    }
     each_reported([&lines](const i8080::AttachedDevice& each) {
       lines.push_back({std::string(each.info->name), counts_text(each.device->counts())});
     });
@@ -371,6 +383,11 @@ class I8080Run final : public Machine, private core::KeyPollListener {
       unanswered.push_back(base::Json{
           {"port", fmt::format("{:02X}", port)}, {"reads", counts.reads}, {"writes", counts.writes}});
     });
+    base::Json& undefined = report["undefined"] = base::Json::array();
+    for (const i8080::UndefinedOpcode& each : machine_->undefined().all) {
+      undefined.push_back(base::Json{
+          {"opcode", fmt::format("{:02X}", each.opcode)}, {"first", fmt::format("{:04X}", each.first)}, {"count", each.count}});
+    }
   }
 
   [[nodiscard]] std::vector<std::string> warnings() const override {
@@ -403,13 +420,14 @@ class I8080Run final : public Machine, private core::KeyPollListener {
     return shown;
   }
 
-  // --png of the raster board, --svg of the plotter, --parallel-out and the like of the links.
+  // --png of the raster board, --svg of the plotter, --tape-out, --parallel-out and the like of the links.
   [[nodiscard]] Bytes output(std::string_view option) const override {
     for (const auto& [info, device] : machine_->devices()) {
       if (option == "--png" && device->raster() != nullptr) return png(*device->raster());
       if (option == "--svg" && info->kind == core::PortDeviceKind::plotter) return svg(device->micrometres_per_step());
       core::LinkHost* const host = device->link_host();
-      if (host != nullptr && option == fmt::format("--{}-out", info->name)) return host->received();
+      const bool tape = option == "--tape-out" && info->kind == core::PortDeviceKind::terminal;
+      if (host != nullptr && (tape || option == fmt::format("--{}-out", info->name))) return host->received();
     }
     return {};
   }
@@ -426,13 +444,23 @@ class I8080Run final : public Machine, private core::KeyPollListener {
       warn(counts.reads, "read as FF");
       warn(counts.writes, "written without effect");
     });
+    if (cpm_) {
+      for (EarlyWarning& warning : cpm_->warnings()) warnings.push_back(std::move(warning));
+    }
+    const auto& undefined = machine_->undefined().all;
+    if (!undefined.empty()) {
+      std::uint64_t count = 0;
+      for (const i8080::UndefinedOpcode& each : undefined) count += each.count;
+      warnings.push_back({undefined_text(undefined.front().opcode, undefined.front().first),
+                          count == 1 ? "once" : fmt::format("{} such opcodes", count)});
+    }
     return warnings;
   }
 
  private:
   void key_polled() override {
     polled_ = true;
-    if (returns_at_polls_) machine_->request_stop();
+    machine_->request_stop();
   }
   // A key on that terminal would interrupt the program.
   [[nodiscard]] bool interrupts_for_key(const core::Terminal& terminal) const {
@@ -536,6 +564,16 @@ class I8080Run final : public Machine, private core::KeyPollListener {
   }
   [[nodiscard]] core::ClockRate clock() const { return machine_->options().clock; }
   [[nodiscard]] Cpm::Processor processor() { return {machine_->registers(), machine_->memory(), ticks()}; }
+  // What the 8080 makes of an opcode that Intel left undefined. On the Z80 they are instructions.
+  static std::string undefined_text(i8080::Byte opcode, i8080::Address address) {
+    const std::string instruction = disassembler::disassemble_i8080_instruction({opcode, 0, 0}).text;
+    return fmt::format("PC {:04X}: executes opcode {:02X}, which Intel left undefined and an 8080 takes as {}; a program for the Z80?",
+                       address, opcode, std::string_view(instruction).substr(0, instruction.find(' ')));
+  }
+  std::optional<Stop> undefined() const {
+    const i8080::UndefinedOpcodes& all = machine_->undefined();
+    return Stop{"strict", "stopped by --strict: " + undefined_text(all.last_opcode, all.last_address)};
+  }
   // The IN or OUT precedes PC.
   std::optional<Stop> unanswered() const {
     return Stop{"strict", fmt::format("PC {:04X}: stopped by --strict: no device at that port",
@@ -604,8 +642,7 @@ class I8080Run final : public Machine, private core::KeyPollListener {
   TextTaker list_;
   std::uint64_t list_dropped_ = 0;  // characters without a taker
   std::optional<Cpm> cpm_;
-  bool polled_ = false;            // a terminal, in vain
-  bool returns_at_polls_ = false;
+  bool polled_ = false;  // a terminal, in vain
   std::uint64_t printed_bytes_ = 0;  // on the console and the list device, since the machine was made
 };
 

@@ -4,11 +4,9 @@
 // 8080 have found them since their first emulator: OUT 0 at 0000, which ends the run, and OUT 1; RET at 0005, where BDOS
 // functions are called. The host does their work between the OUT and the RET, in no time: a call costs 20 T-states and the
 // end 10, as in the published T-states of such programs. A program may begin with SP = 0000: then a RET at the top level
-// takes the two bytes of the OUT 0 as its address, 00D3, where a second OUT 0 ends the run in the same time. Functions 0
-// (ends like a jump to 0000), 2 and 9 exist; they keep the registers. With a console 1, 6, 10 and 11 exist too; they return
-// in A and L with B and H 0 (CP/M 2.2 Interface Guide); waiting for a key takes no time.
-//
-// Left out: the rest of CP/M.
+// takes the two bytes of the OUT 0 as its address, 00D3, where a second OUT 0 ends the run in the same time. Functions 0, 2,
+// 5 and 9 keep the registers; all others return in A and L with B and H 0 (CP/M 2.2 Interface Guide). Waiting for a key takes
+// no time. cpm.hpp has the rest.
 #pragma once
 
 #include <map>

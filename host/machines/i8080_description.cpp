@@ -15,6 +15,7 @@
 #include "emulators/core/port_device.hpp"
 #include "emulators/devices/bus_master.hpp"
 #include "emulators/devices/calcomp565.hpp"
+#include "emulators/devices/sense_switches.hpp"
 #include "emulators/machines/i8080_devices.hpp"
 #include "host/base/number.hpp"
 #include "host/machines/device_option.hpp"
@@ -102,14 +103,27 @@ std::vector<ListedDevice> listed_devices() {
   return devices;
 }
 
+constexpr std::string_view usual_tape_channel = "2sio-b";
+
+// Whether a paper tape is on this channel.
+bool has_tape(const PortDeviceInfo& info, const Arguments& arguments) {
+  const std::string& channel = arguments.text("--tape-channel");
+  return arguments.given("--tape") && info.choice == (channel.empty() ? usual_tape_channel : std::string_view(channel));
+}
+
 // The choice of this device by the options; nullopt: not wanted.
 std::optional<DeviceChoice> choice_of(const PortDeviceInfo& info, const Arguments& arguments, std::span<const DeviceChoice> listed) {
   switch (info.kind) {
     case PortDeviceKind::raster_board:
     case PortDeviceKind::plotter:
-    case PortDeviceKind::terminal:
       if (arguments.text(option_of(info.kind)) == info.choice) return DeviceChoice{info.name, {}};
       break;
+    case PortDeviceKind::terminal: {
+      const bool terminal = arguments.text("--terminal") == info.choice;
+      const bool tape = has_tape(info, arguments);
+      if (terminal || tape) return DeviceChoice{info.name, {{"terminal", terminal ? 1 : 0}, {"tape", tape ? 1 : 0}}};
+      break;
+    }
     case PortDeviceKind::link:
       if (arguments.given(fmt::format("--{}", info.name))) return DeviceChoice{info.name, {}};
       break;
@@ -183,6 +197,11 @@ Result<Done> want_devices(const Arguments& arguments, Wanted& wanted) {
   for (const i8080::KnownDevice& known : i8080::known_devices)
     if (auto choice = choice_of(*known.info, arguments, *listed)) wanted.devices.push_back(std::move(*choice));
   if (DeviceChoice* const calcomp = find(wanted, devices::CalComp565::info); calcomp != nullptr) calcomp->settings = std::move(place);
+  if (arguments.given("--sense")) {
+    const auto value = number_argument("--sense", arguments.text("--sense"), 16, 0xFF, "the switches A15 to A8");
+    if (!value) return value.error();
+    wanted.devices.push_back({devices::SenseSwitches::info.name, {{"value", *value}}});
+  }
   if (!hold.empty()) wanted.devices.push_back({devices::BusMaster::info.name, std::move(hold)});
   return Done{};
 }
@@ -214,6 +233,9 @@ Result<Done> want_interrupt(Wanted& wanted, const std::string& text) {
 // Everything that determines how the machine works and is not state; --strict only determines where a run ends.
 std::vector<std::string> configuration_of(const Wanted& wanted, const std::optional<CpmSetup>& cpm) {
   std::vector<std::string> words{fmt::format("--clock {}", wanted.options.clock.hertz)};
+  if (wanted.options.memory != image::byte_memory_size) words.push_back(fmt::format("--memory {}k", wanted.options.memory / 1024));
+  if (const DeviceChoice* const sense = find(wanted, devices::SenseSwitches::info); sense != nullptr)
+    words.push_back(fmt::format("--sense {:02X}", sense->settings[0].value));
   if (const DeviceChoice* const hold = find(wanted, devices::BusMaster::info); hold != nullptr) {
     words.push_back(fmt::format("--hold {}+{}", hold->settings[0].value, hold->settings[1].value));
     if (hold->settings[2].value != 0) words.back() += fmt::format("/{}", hold->settings[2].value);
@@ -223,6 +245,7 @@ std::vector<std::string> configuration_of(const Wanted& wanted, const std::optio
     if (cpm->console || !cpm->drives.empty()) words.emplace_back("--cpm with console or drives");
     for (const CpmDrive& drive : cpm->drives)
       words.push_back(fmt::format("--cpm-drive {}{}", static_cast<char>('A' + drive.number), drive.read_only ? ",ro" : ""));
+    for (const CpmCommand& command : cpm->commands) words.push_back("--cpm-run " + command.text);
   }
   for (const i8080::KnownDevice& known : i8080::known_devices) {
     const PortDeviceInfo& info = *known.info;
@@ -232,11 +255,15 @@ std::vector<std::string> configuration_of(const Wanted& wanted, const std::optio
       case PortDeviceKind::special: break;
       case PortDeviceKind::link: words.push_back(fmt::format("--{}", info.name)); break;
       case PortDeviceKind::other: words.push_back(fmt::format("--device {}", device_text(*choice))); break;
+      case PortDeviceKind::terminal: {
+        const auto setting = [&](std::string_view name) { return core::value_of(name, info.options, choice->settings); };
+        if (setting("terminal") != 0) words.push_back(fmt::format("--terminal {}", info.choice));
+        if (setting("tape") != 0) words.push_back(fmt::format("--tape-channel {}", info.choice));
+        words.push_back(fmt::format("--baud {}", setting("baud")));
+        break;
+      }
       default: words.push_back(fmt::format("{} {}", option_of(info.kind), info.choice));
     }
-    if (info.kind != PortDeviceKind::terminal) continue;
-    for (const core::DeviceOption& option : info.options)
-      if (option.name == "baud") words.push_back(fmt::format("--baud {}", choice->settings.empty() ? option.initial : choice->settings[0].value));
   }
   each_line([&](const PortDeviceInfo&, std::string_view line) {
     const auto restart = wanted.interrupts.find(line);
@@ -245,7 +272,7 @@ std::vector<std::string> configuration_of(const Wanted& wanted, const std::optio
   return words;
 }
 
-Result<Done> set_up_cpm(const Arguments& arguments, I8080Setup& setup) {
+Result<Done> set_up_cpm(const Arguments& arguments, const FileReader& read, I8080Setup& setup) {
   if (!arguments.given("--cpm")) {
     if (arguments.given("--console") && !arguments.given("--terminal"))
       return base::usage_error("--console: needs --cpm or --terminal: the console is that of CP/M, or on a serial board of the Altair");
@@ -254,6 +281,16 @@ Result<Done> set_up_cpm(const Arguments& arguments, I8080Setup& setup) {
   CpmSetup& cpm = setup.cpm.emplace();
   cpm.console = arguments.given("--console");
   cpm.arguments = arguments.text("--cpm-args");
+  constexpr std::size_t most = cpm::longest_tail - 1;  // without the blank before them
+  if (cpm.arguments.size() > most) {
+    return base::usage_error(fmt::format("--cpm-args: found {} characters, expected {} at most: CP/M's command line has no room for more",
+                                         cpm.arguments.size(), most));
+  }
+  if (arguments.given("--cpm-user")) {
+    const auto user = base::whole_number<std::uint8_t>(arguments.text("--cpm-user"));
+    if (!user || *user > 15) return base::usage_error(fmt::format("--cpm-user: found \"{}\", expected 0 to 15", arguments.text("--cpm-user")));
+    cpm.user = *user;
+  }
   for (const std::string& text : arguments.list("--cpm-drive")) {
     auto drive = parse_cpm_drive(text);
     if (!drive) return base::usage_error(drive.error().message());
@@ -263,6 +300,12 @@ Result<Done> set_up_cpm(const Arguments& arguments, I8080Setup& setup) {
     }
     cpm.drives.push_back(std::move(*drive));
   }
+  if (!arguments.given("--cpm-run")) return Done{};
+  if (cpm.drives.empty()) return base::usage_error("--cpm-run: needs --cpm-drive X=FOLDER: its programs are files of a drive");
+  const Input file = read(arguments.text("--cpm-run"));
+  auto commands = read_cpm_commands(file);
+  if (!commands) return commands.error();
+  cpm.commands = std::move(*commands);
   return Done{};
 }
 
@@ -271,20 +314,35 @@ Result<Done> set_baud(const Arguments& arguments, Wanted& wanted) {
   const auto settings = terminal_baud(arguments.text("--baud"));
   if (!settings) return settings.error();
   each_of(PortDeviceKind::terminal, [&](const PortDeviceInfo& info) {
-    if (DeviceChoice* const terminal = find(wanted, info); terminal != nullptr) terminal->settings = *settings;
+    if (DeviceChoice* const terminal = find(wanted, info); terminal != nullptr)
+      terminal->settings.insert(terminal->settings.end(), settings->begin(), settings->end());
   });
   return Done{};
 }
 
-// The bytes that the host sends over a link are in a file.
+// The bytes that the host sends over a link, and those of a paper tape, are in a file.
 void read_links(const Arguments& arguments, const FileReader& read, I8080Setup& setup) {
-  each_of(PortDeviceKind::link, [&](const PortDeviceInfo& info) {
-    const std::string option = fmt::format("--{}", info.name);
-    if (!arguments.given(option)) return;
+  const auto read_for = [&](const PortDeviceInfo& info, const std::string& option) {
     Input file = read(arguments.text(option));
     setup.sent[info.name] = std::move(file.bytes);
     setup.sent_from[info.name] = std::move(file.name);
+  };
+  each_of(PortDeviceKind::link, [&](const PortDeviceInfo& info) {
+    if (const std::string option = fmt::format("--{}", info.name); arguments.given(option)) read_for(info, option);
   });
+  each_of(PortDeviceKind::terminal, [&](const PortDeviceInfo& info) {
+    if (has_tape(info, arguments)) read_for(info, "--tape");
+  });
+}
+
+// "16k": from 1k to 64k.
+Result<std::uint32_t> memory_size(const std::string& text) {
+  constexpr std::uint32_t kilobyte = 1024;
+  std::string_view digits = text;
+  if (digits.ends_with('k') || digits.ends_with('K')) digits.remove_suffix(1);
+  const auto size = base::whole_number<std::uint32_t>(digits);
+  if (size && *size >= 1 && *size <= image::byte_memory_size / kilobyte) return *size * kilobyte;
+  return base::usage_error(fmt::format("--memory: found \"{}\", expected 1k to 64k", text));
 }
 
 Result<Done> build_machine(const Wanted& wanted, I8080Setup& setup) {
@@ -305,13 +363,17 @@ Result<std::unique_ptr<Machine>> make_i8080(const Arguments& arguments, const Fi
   if (!hertz) return hertz.error();
   if (*hertz < slowest_clock || *hertz > fastest_clock)
     return base::usage_error(fmt::format("--clock: found {}, expected {} to {} Hz", clock, slowest_clock, fastest_clock));
-  wanted.options = {{static_cast<std::int64_t>(*hertz)}, arguments.given("--strict")};
+  const auto memory = memory_size(arguments.text("--memory"));
+  if (!memory) return memory.error();
+  if (*memory != image::byte_memory_size && arguments.given("--cpm"))
+    return base::usage_error(fmt::format("--memory {}: found --cpm too, expected one of them: CP/M is at the end of 64k", arguments.text("--memory")));
+  wanted.options = {{static_cast<std::int64_t>(*hertz)}, arguments.given("--strict"), *memory};
   if (auto done = want_devices(arguments, wanted); !done) return done.error();
   read_links(arguments, read, setup);
   for (const std::string& text : arguments.list("--interrupt")) {
     if (const auto done = want_interrupt(wanted, text); !done) return done.error();
   }
-  if (auto done = set_up_cpm(arguments, setup); !done) return done.error();
+  if (auto done = set_up_cpm(arguments, read, setup); !done) return done.error();
   if (auto done = set_baud(arguments, wanted); !done) return done.error();
   setup.console = arguments.given("--console");
   if (arguments.given("--console-out") && !setup.cpm && !arguments.given("--terminal"))
@@ -395,7 +457,10 @@ Result<Program> read_bin(View bytes, const std::string& file, LoadAddress addres
 }
 Result<Program> read_hex(View bytes, const std::string& file, LoadAddress address) {
   if (address) return address_refused(file, "Intel HEX has its own");
-  return program_of(image::read_intel_hex({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file));
+  std::vector<std::string> warnings;
+  auto program = program_of(image::read_intel_hex({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file, &warnings));
+  if (program) program->warnings = std::move(warnings);
+  return program;
 }
 
 // With --cpm, raw bytes without an address are a CP/M program.
@@ -433,16 +498,23 @@ std::vector<Option> i8080_options() {
        .argument = "X=FOLDER[,ro]",
        .help = "Make this folder drive X, A to P; ro: the program cannot change its files",
        .needs = "--cpm"},
+      {.name = "--cpm-user", .argument = "N", .help = "The user number at the start, 0 to 15", .shown_initial = "0", .needs = "--cpm"},
       {.name = "--cpm-args",
        .argument = "WORDS",
        .help = "The arguments typed after the program's name",
        .needs = "--cpm"},
+      {.name = "--cpm-run",
+       .argument = "FILE",
+       .help = "Run the commands in this file one after the other, instead of a PROGRAM",
+       .needs = "--cpm"},
       {.name = "--clock", .argument = "HZ", .help = "The processor's clock", .initial = "3000000"},
+      {.name = "--memory", .argument = "SIZE", .help = "RAM from 0000 on, 1k to 64k; above it reads are FF and writes are lost", .initial = "64k"},
+      {text, "--sense", "XX", "An Altair's front panel: its sense switches, read at port FF, in hexadecimal"},
       {list, "--set", "REGISTER=VALUE",
        "Set A, F, B, C, D, E, H, L, SP, PC or INTE before the run, in hexadecimal"},
       {text, "--max-instructions", "N", "Stop after this many instructions"},
       {text, "--max-states", "N", "Stop at the first instruction at or after this T-state"},
-      {flag, "--strict", {}, "Stop at a port without a device (exit code 3)"},
+      {flag, "--strict", {}, "Stop at a port without a device and after an undefined opcode (exit code 3)"},
       {text, "--board", "BOARD", "Attach a raster board", choices(PortDeviceKind::raster_board)},
       {text, "--plotter", "PLOTTER", "Attach a plotter", choices(PortDeviceKind::plotter)},
       {text, "--terminal", "BOARD", "Attach an Altair serial board with a terminal, to which --console connects", choices(PortDeviceKind::terminal)},
@@ -478,6 +550,7 @@ std::vector<Option> i8080_options() {
        .argument = "FILE",
        .help = "What the CP/M program sends to the list device",
        .needs = "--cpm"},
+      {.kind = stream, .name = "--cpm-log", .argument = "FILE", .help = "Every call of BDOS", .needs = "--cpm"},
       {.kind = output,
        .name = "--png",
        .argument = "FILE",
@@ -500,6 +573,14 @@ std::vector<Option> i8080_options() {
     options.push_back({text, option, "FILE", fmt::format("Attach the {}; the host computer sends these bytes", info.choice)});
     received.push_back({.kind = output, .name = option + "-out", .argument = "FILE", .help = std::string(info.received), .needs = option});
   });
+  options.push_back({text, "--tape", "FILE", "Attach a paper tape reader and punch to an Altair serial channel; this tape is read, unchanged"});
+  options.push_back({.name = "--tape-channel",
+                     .argument = "BOARD",
+                     .help = "Their channel; with that of --terminal they are the terminal's",
+                     .choices = choices(PortDeviceKind::terminal),
+                     .shown_initial = usual_tape_channel,
+                     .needs = "--tape"});
+  received.push_back({.kind = output, .name = "--tape-out", .argument = "FILE", .help = "What the program punched, unchanged", .needs = "--tape"});
   const auto console = console_options("The console of CP/M, or the terminal,");
   options.insert(options.end(), console.begin(), console.end());
   options.insert(options.end(), rest.begin(), rest.end());
@@ -517,8 +598,10 @@ MachineDescription describe_i8080() {
   i8080.address_bits = 16;
   i8080.word_bits = 8;
   i8080.words_per_line = 16;
+  i8080.memory_option = "--memory";
   i8080.one_start = true;
-  i8080.in_snapshot = {"--plotter-start"};
+  i8080.in_snapshot = {"--plotter-start", "--cpm-args", "--cpm-user"};
+  i8080.instead_of_program = "--cpm-run";
   for (const char* name : {"A", "F", "B", "C", "D", "E", "H", "L"})
     i8080.registers.push_back({name, 8, "a value"});
   i8080.registers.push_back({"SP", 16, "a value"});

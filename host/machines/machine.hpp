@@ -214,6 +214,7 @@ struct Stop {
   std::string_view name;  // "instruction_limit", for reports
   std::string complaint;  // not empty: the program has failed
   bool at_until = false;  // by Limits::until: it could run on
+  unsigned exit_code = 0;  // with a complaint: the exit code that the program has chosen, 0: none
 };
 
 // The name of a stop by an event of the machine's probe.
@@ -307,6 +308,8 @@ class Machine {
   virtual void type(std::uint8_t) {}
   // The program has read all typed keys, and has polled for another, waits for it, or takes keys by interrupt.
   [[nodiscard]] virtual bool wants_key() const { return false; }
+  // A ^S typed now stops the output of the program until the next key.
+  [[nodiscard]] virtual bool pauses_at_key() const { return false; }
   // The program cannot continue without a key, in a blocking read or in HLT: run() returns at once, and emulated time does
   // not pass.
   [[nodiscard]] virtual bool waits_for_key() const { return false; }
@@ -314,7 +317,7 @@ class Machine {
   // For live::IdleLoop, which finds out whether a program does nothing but wait.
   // From now on run() also returns, as at the end of a slice, at the boundary after a poll that finds no key.
   virtual void return_at_polls(bool) {}
-  // Whether a poll has found no key since the last call.
+  // Whether such a poll has come since the last call.
   [[nodiscard]] virtual bool take_poll() { return false; }
   // All registers and memory, to be compared with those of another moment.
   [[nodiscard]] virtual std::array<std::uint64_t, 2> register_image() const { return {}; }
@@ -430,6 +433,7 @@ struct MachineDescription {
   std::string_view memory_name = "memory";  // in messages
   std::string_view an_address = "an address";
   std::string_view memory_option = {};  // sets the size of memory
+  std::string_view instead_of_program = {};  // the option that names programs to run; it excludes PROGRAM
   // Whether --set PC together with --start is an error. If not, START is pressed at --start, and PC is set then.
   bool one_start = false;
   // Options whose values a snapshot holds, in addition to --load and --start.

@@ -111,7 +111,6 @@ class Pdp7Machine final : public Machine, private core::KeyPollListener {
     }
     if (!setup_.reader_tape.empty()) reader_.load(setup_.reader_tape);
     for (const KeyPress& key : setup_.keys) keyboard_.press(key.time, key.code);
-    keyboard_.tell_polls(this);
     machine_.console().schedule(setup_.switch_script);
     machine_.console().set(setup_.switches);
     if (display() != nullptr) pen_script_ = std::move(setup_.pen_script);
@@ -191,7 +190,8 @@ class Pdp7Machine final : public Machine, private core::KeyPollListener {
     const bool slice_done = reason == pdp7::StopReason::instruction_limit &&
                             machine_.counts().instructions < limits.instructions;
     const bool pen_due = reason == pdp7::StopReason::time_limit && machine_.now() < limit;
-    const bool poll_met = reason == pdp7::StopReason::observer && polled_ && returns_at_polls_;
+    // Asked for by key_polled(), perhaps at the boundary where the run before ended.
+    const bool poll_met = reason == pdp7::StopReason::observer;
     if (slice_done || pen_due || poll_met) return std::nullopt;
     return stop_of(reason, machine_.registers().pc);
   }
@@ -345,7 +345,7 @@ class Pdp7Machine final : public Machine, private core::KeyPollListener {
     return (keyboard_.polled() && quiet >= character) ||
            (machine_.registers().interrupts_on && quiet >= 2 * character);
   }
-  void return_at_polls(bool returns) override { returns_at_polls_ = returns; }
+  void return_at_polls(bool returns) override { keyboard_.tell_polls(returns ? this : nullptr); }
   [[nodiscard]] bool take_poll() override { return std::exchange(polled_, false); }
   [[nodiscard]] std::array<std::uint64_t, 2> register_image() const override {
     const pdp7::State& r = machine_.registers();
@@ -555,7 +555,7 @@ class Pdp7Machine final : public Machine, private core::KeyPollListener {
 
   void key_polled() override {
     polled_ = true;
-    if (returns_at_polls_) machine_.request_stop();
+    machine_.request_stop();
   }
 
   // --- Devices by --device ---
@@ -765,8 +765,7 @@ class Pdp7Machine final : public Machine, private core::KeyPollListener {
   std::size_t printed_seen_ = 0;
   std::size_t taken_of_printed_ = 0;
   core::Instant quiet_since_{};
-  bool polled_ = false;  // the keyboard, in vain
-  bool returns_at_polls_ = false;
+  bool polled_ = false;  // the keyboard, in vain, since take_poll()
 };
 
 }  // namespace

@@ -10,16 +10,19 @@
 #include "host/report/experiments/jones_views.hpp"
 #include "host/report/experiments/jones_walk.hpp"
 #include "host/report/experiments/montani_re_8080.hpp"
+#include "host/report/experiments/montani_re_greys.hpp"
 #include "host/report/experiments/montani_re_growth.hpp"
 #include "host/report/experiments/montani_re_stripes.hpp"
 #include "host/report/experiments/montani_re_tables.hpp"
 #include "host/report/experiments/opening.hpp"
 #include "host/report/experiments/overview.hpp"
 #include "host/report/experiments/plantinga_accuracy.hpp"
+#include "host/report/experiments/plantinga_growth.hpp"
 #include "host/report/experiments/plantinga_pdp7.hpp"
 #include "host/report/experiments/plantinga_turns.hpp"
 #include "host/report/experiments/skala_accuracy.hpp"
 #include "host/report/experiments/skala_pictures.hpp"
+#include "host/report/experiments/skala_wishes.hpp"
 #include "host/report/experiments/willis_flight.hpp"
 #include "host/report/experiments/willis_order.hpp"
 #include "host/report/experiments/willis_times.hpp"
@@ -56,8 +59,11 @@ const std::vector<Experiment>& report_experiments() {
       experiment(&jones_walks),
       experiment(&plantinga_accuracy),
       experiment(&plantinga_pdp7),
+      experiment(&plantinga_growth, true),
       experiment(&skala_pictures),
+      experiment(&skala_wishes),
       experiment(&montani_re_8080),
+      experiment(&montani_re_greys),
       experiment(&montani_re_tables),
       experiment(&plantinga_turns, true),
       experiment(&jones_unseen, true),
@@ -100,10 +106,12 @@ const std::vector<SectionPlan>& report_sections() {
       {"skala", "Skala 1985: slices of a surface on an 8080", "skala",
        {chapter("skala-timing", 1, &skala_timing),
         chapter("skala-accuracy", 2, &skala_accuracy_chapter),
+        chapter("skala-smooth", 2, &skala_smooth_chapter),
         chapter("skala-needs", 4, &skala_needs)}},
       {"montani-re", "Montani and Re 1985: faces as stripes", "montani_re",
        {chapter("montani-re-timing", 1, &montani_re_timing),
         chapter("montani-re-8080", 1, &montani_re_8080_chapter),
+        chapter("montani-re-greys", 1, &montani_re_greys_chapter),
         chapter("montani-re-accuracy", 2, &montani_re_accuracy)}},
       {"willis", "Willis 1977: distance as priority", "willis",
        {chapter("willis-timing", 1, &willis_timing),
@@ -112,7 +120,8 @@ const std::vector<SectionPlan>& report_sections() {
       {"plantinga", "Plantinga, Seales and Dyer 1990: a rotating scene", "plantinga",
        {chapter("plantinga-timing", 1, &plantinga_timing),
         chapter("plantinga-pdp7", 1, &plantinga_pdp7_chapter),
-        chapter("plantinga-accuracy", 2, &plantinga_accuracy_chapter)}},
+        chapter("plantinga-accuracy", 2, &plantinga_accuracy_chapter),
+        chapter("plantinga-growth", 4, &plantinga_growth_chapter)}},
       {"comparison-of-methods", "Comparison: all methods on many objects from many viewpoints", "",
        {chapter("comparison-chapter", 2, &comparison_chapter)}},
       {"cases", "Hard cases: inputs that break programs of this kind", "",

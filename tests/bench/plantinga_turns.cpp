@@ -15,7 +15,7 @@
 #include "host/algorithms/plantinga/edge_structure_graph.hpp"
 #include "host/algorithms/plantinga/frame.hpp"
 #include "host/algorithms/plantinga/table_1.hpp"
-#include "host/base/file.hpp"
+#include "host/scene/read/builtin.hpp"
 #include "host/scene/read/poly_file.hpp"
 
 namespace sightline {
@@ -26,11 +26,9 @@ namespace native = algorithms::plantinga;
 constexpr std::array<const char*, 6> names{"squares", "grid", "objects", "bars", "tori", "spring"};
 
 native::RotationModel model_of(std::size_t which) {
-  const std::string path = std::string(SIGHTLINE_BENCH_DATA "/models/") + names[which] + ".off";
-  const auto bytes = base::read_file(path);
-  if (!bytes) std::abort();
-  const auto read = scene::read_poly(std::string(bytes->begin(), bytes->end()), path, scene::PolyFormat::off);
-  return native::RotationModel(read->scene);
+  const auto text = scene::builtin_scene_text(names[which]);
+  if (!text) std::abort();
+  return native::RotationModel(scene::read_poly(*text, names[which], scene::PolyFormat::off)->scene);
 }
 
 struct Turned {

@@ -46,7 +46,7 @@ inline const assembler::I8080Assembly& program() {
 inline std::uint16_t label(std::string_view name) {
   const auto value = program().value_of(name);
   if (!value) ADD_FAILURE() << "the program has no label " << name;
-  return value.value_or(0);
+  return static_cast<std::uint16_t>(value.value_or(0));
 }
 
 struct Strokes final : core::StrokeTaker {

@@ -14,16 +14,16 @@ constexpr int most_layout_passes = 16;
 constexpr std::size_t most_errors = 1000;  // the same limit for warnings
 constexpr std::size_t most_characters_shown = 40;
 
-std::string in_radix(std::uint32_t value, unsigned radix, unsigned digits) {
-  return radix == 8 ? base::octal(value, digits) : image::hexadecimal(value, digits);
-}
-
 // The separator is a line break, which no name contains.
 std::string local_key(const std::string& key, std::size_t source) {
   return key + "\n" + std::to_string(source);
 }
 
 }  // namespace
+
+std::string Radix::text(std::uint32_t value, unsigned digits) const {
+  return base == 8 ? sightline::base::octal(value, digits) : image::hexadecimal(value, digits);
+}
 
 void Places::add(std::uint32_t place) {
   now_.push_back(place);
@@ -46,10 +46,9 @@ bool Places::end_pass() {
   return differ;
 }
 
-Engine::Engine(std::span<const SourceFile> sources, const Naming& naming, unsigned radix, unsigned digits)
+Engine::Engine(std::span<const SourceFile> sources, const Naming& naming, const Radix& radix)
     : naming_(naming),
       radix_(radix),
-      digits_(digits),
       sources_(sources.size()),
       files_(sources.begin(), sources.end()),
       modules_(sources.size()) {}
@@ -62,7 +61,7 @@ void Engine::run(const std::function<void()>& enter_names, const std::function<v
   while (!settled && pass_ < most_layout_passes) {
     read_once(read);
     const bool changed = end_layout_pass();
-    settled = pass_ == 1 ? !awaits_value_ : !changed;
+    settled = pass_ == 1 ? !awaits_value_ : !changed || stopped_;
     const bool any_declares = std::any_of(modules_.begin(), modules_.end(), [](const Module& module) { return module.declares; });
     if (sources_ < 2 || !any_declares || names_are_local_) continue;
     names_are_local_ = true;
@@ -81,6 +80,7 @@ void Engine::read_once(const std::function<void()>& read) {
   ++pass_;
   awaits_value_ = false;
   stopped_ = false;
+  unlisted_ = {};
   read();
 }
 
@@ -106,9 +106,10 @@ bool Engine::end_places() {
   return differ;
 }
 
-// Only the first: the others follow from it. A language may define names in the last pass alone or in the others alone, so
-// that this is an error only where the layout passes did so, too.
+// Only the first, and none after another error: these follow from it. A language may define names in the last pass alone or in
+// the others alone, so that this is an error only where the layout passes did so, too.
 void Engine::report_unsettled(bool settled) {
+  if (errors_ != 0) return;
   const Symbol* first = nullptr;
   for (const auto& [key, symbol] : symbols_) {
     const bool moved = is_defined(symbol) && symbol.value && symbol.before && symbol.value != symbol.before;
@@ -116,13 +117,14 @@ void Engine::report_unsettled(bool settled) {
     const bool comes_and_goes = !settled && of_source && is_defined(symbol) != symbol.before.has_value();
     if ((moved || comes_and_goes) && (first == nullptr || symbol.defined < first->defined)) first = &symbol;
   }
+  const auto shown = [this](std::uint32_t value) { return radix_.text(value, radix_.value_digits); };
   const std::string expected = "a definition that does not depend on itself";
   if (first != nullptr && first->value && first->before && is_defined(*first)) {
     error(first->defined, in_quotes(first->name) + " = " + shown(*first->value) + ", in the pass before " + shown(*first->before) + " (phase error)",
           expected);
-  } else if (first != nullptr && errors_ == 0) {
+  } else if (first != nullptr) {
     error(first->defined, in_quotes(first->name) + ", which only every second pass defines", expected);
-  } else if (end_places() && errors_ == 0) {
+  } else if (end_places()) {
     error({0, 1, 1}, "literals or labels at other addresses than in the pass before", "addresses that do not depend on themselves");
   }
 }
@@ -207,7 +209,15 @@ void Engine::declare(const std::string& key, bool external) {
 
 // --- Memory
 
-std::optional<Position> Engine::put(std::uint32_t address, std::uint32_t value, const Position& at) {
+std::optional<Position> Engine::put(std::uint32_t address, std::uint32_t value, const Position& at, ListedLine& line, std::string note) {
+  if (line.row) {
+    if (!note.empty()) line.filled = true;
+    const bool begins = line.cells == 0 || line.cells == radix_.cells_a_row;
+    ListingLine& row = begins ? begin_row(line, address, at) : listing_[line.last];
+    row.code += radix_.text(value, radix_.cell_digits);
+    if (!note.empty()) row.source = std::move(note);
+    ++line.cells;
+  }
   if (address >= memory_.size()) memory_.resize(std::size_t{address} + 1);
   Cell& cell = memory_[address];
   cell.value = value;
@@ -215,6 +225,49 @@ std::optional<Position> Engine::put(std::uint32_t address, std::uint32_t value, 
   cell.file = static_cast<std::uint32_t>(at.file);
   cell.line = static_cast<std::uint32_t>(at.line);
   return std::nullopt;
+}
+
+// --- The listing
+
+ListedLine Engine::add_line(std::string text) {
+  listing_.push_back({"", "", std::move(text)});
+  return {listing_.size() - 1};
+}
+
+// The row of the line itself if it is free, else one below.
+ListingLine& Engine::begin_row(ListedLine& line, std::uint32_t address, const Position& at) {
+  if (line.filled) listing_.push_back({"", "", ""});
+  line.last = line.filled ? listing_.size() - 1 : *line.row;
+  ListingLine& row = listing_[line.last];
+  row.address = radix_.text(address, radix_.address_digits);
+  if (line.cells == 0 && line.of_source) {
+    row.file = files_[at.file].name;
+    row.line_number = at.line;
+  }
+  line.cells = 0;
+  line.filled = true;
+  return row;
+}
+
+ListedLine& Engine::line_at(const Position& at) {
+  while (listed_ < at.line && !unlisted_.empty()) {
+    const std::size_t end = std::min(unlisted_.find('\n'), unlisted_.size());
+    const bool returns = end > 0 && unlisted_[end - 1] == '\r';
+    line_ = add_line(std::string(unlisted_.substr(0, returns ? end - 1 : end)));
+    unlisted_.remove_prefix(std::min(end + 1, unlisted_.size()));
+    ++listed_;
+  }
+  line_.of_source = at.line <= listed_;
+  return line_;
+}
+
+void Engine::show(ListedLine& line, std::uint32_t value, bool equated, const Position& at) {
+  if (!line.row || line.filled) return;
+  ListingLine& row = begin_row(line, value, at);
+  if (!equated) return;
+  row.code = "=";
+  row.file.clear();
+  row.line_number = 0;
 }
 
 // --- Diagnostics
@@ -247,10 +300,9 @@ std::string in_quotes(std::string_view text) {
 
 // --- Results
 
-std::string Engine::shown(std::uint32_t value) const { return in_radix(value, radix_, digits_); }
-
 void Engine::finish(AssemblyReport& report, bool by_place) {
   report.naming = naming_;
+  report.listing = std::move(listing_);
   if (by_place) {
     std::stable_sort(diagnostics_.begin(), diagnostics_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   }
@@ -270,9 +322,9 @@ void Engine::finish(AssemblyReport& report, bool by_place) {
   }
 }
 
-std::string write_symbols(std::span<const ProgramSymbol> symbols, unsigned radix, unsigned digits) {
+std::string write_symbols(std::span<const ProgramSymbol> symbols, const Radix& radix) {
   std::string text;
-  for (const ProgramSymbol& symbol : symbols) text += symbol.name + " " + in_radix(symbol.value, radix, digits) + "\n";
+  for (const ProgramSymbol& symbol : symbols) text += symbol.name + " " + radix.text(symbol.value, radix.value_digits) + "\n";
   return text;
 }
 

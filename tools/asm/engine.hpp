@@ -60,10 +60,31 @@ class Places {
   std::optional<std::uint32_t> last_;
 };
 
+// How numbers are written.
+struct Radix {
+  unsigned base = 8;  // 8 or 16
+  unsigned value_digits = 6;
+  unsigned address_digits = 5;
+  unsigned cell_digits = 6;     // of a word or byte in the listing
+  std::size_t cells_a_row = 1;  // most cells in a row of the listing
+
+  [[nodiscard]] std::string text(std::uint32_t value, unsigned digits) const;
+};
+inline constexpr Radix octal_words{};
+inline constexpr Radix hexadecimal_bytes{16, 4, 4, 2, 4};
+
+// A source line in the listing, and how much of it is shown.
+struct ListedLine {
+  std::optional<std::size_t> row;  // nothing without a listing
+  bool filled = false;             // the row has an address
+  bool of_source = true;           // else cells have no source line
+  std::size_t last = 0;            // the row with the latest cells
+  std::size_t cells = 0;           // of the statement in that row; 0: a new statement begins
+};
+
 class Engine {
  public:
-  // Values in messages have `digits` digits in `radix`, which is 8 or 16.
-  Engine(std::span<const SourceFile> sources, const Naming& naming, unsigned radix, unsigned digits);
+  Engine(std::span<const SourceFile> sources, const Naming& naming, const Radix& radix);
 
   // --- Passes
 
@@ -84,8 +105,11 @@ class Engine {
   // A source, or an included file.
   [[nodiscard]] const SourceFile& file(std::size_t index) const { return files_[index]; }
   // The source that is read from here on, with the files that it includes.
-  void begin_source(std::size_t index) { source_ = index; }
-  [[nodiscard]] std::size_t source() const { return source_; }
+  void begin_source(std::size_t index) {
+    source_ = index;
+    unlisted_ = files_[index].text;
+    listed_ = 0;
+  }
   // The index of an included file; nothing if it cannot be read. Each file is read once for all passes.
   [[nodiscard]] std::optional<std::size_t> include(const std::string& path, const IncludeReader& reader);
   // "FILE:LINE" or "the command line"
@@ -94,12 +118,12 @@ class Engine {
   // --- Names. Keys are those of Naming::key. In a source that declares names, all others are local to it.
 
   [[nodiscard]] const Naming& naming() const { return naming_; }
+  [[nodiscard]] Symbol* find(const std::string& key);
   // Makes an undefined symbol if there is none.
   Symbol& symbol(const std::string& key, std::string_view written);
-  [[nodiscard]] Symbol* find(const std::string& key);
-  // The same for a name written at `at`. Warns if it is another name of a symbol.
+  // The same. Warns if the name differs from that of the symbol where the language does not count it.
   Symbol& look_up(std::string_view written, const Position& at);
-  // Local to the source, or without a source common to all.
+  // The symbol that is local to a source, or without a source the one common to all.
   [[nodiscard]] const Symbol* find_in(const std::string& key, std::optional<std::size_t> source) const;
   // Enters a symbol of the machine or of the command line.
   void enter(std::string_view name, std::uint32_t value, SymbolKind kind, int form = 0);
@@ -123,13 +147,22 @@ class Engine {
 
   // --- Memory, which the last pass fills
 
-  // Returns where the cell got its first value, if it has one. The later value replaces it.
-  std::optional<Position> put(std::uint32_t address, std::uint32_t value, const Position& at);
+  // Puts a value at an address and into the listing. Returns where the cell got its first value, if it has one; the later value
+  // replaces it. `note` is the source of a cell that no source line has: of a literal or variable.
+  std::optional<Position> put(std::uint32_t address, std::uint32_t value, const Position& at, ListedLine& line, std::string note = {});
   template <class Take>
   void for_each_cell(Take&& take) const {
     for (std::size_t address = 0; address < memory_.size(); ++address)
       if (memory_[address].line != 0) take(static_cast<std::uint32_t>(address), memory_[address].value);
   }
+
+  // --- The listing, of the last pass only
+
+  [[nodiscard]] ListedLine add_line(std::string text);
+  // Adds the lines of the current source up to a position, and returns that line. Behind the end it is no source line.
+  ListedLine& line_at(const Position& at);
+  // An address, or the value of an EQU, in a line that has no cells.
+  void show(ListedLine& line, std::uint32_t value, bool equated, const Position& at);
 
   // --- Diagnostics, of the last pass only
 
@@ -143,9 +176,7 @@ class Engine {
 
   // --- Results
 
-  // In the radix of the machine.
-  [[nodiscard]] std::string shown(std::uint32_t value) const;
-  // Fills in naming, symbols and diagnostics. By place: in the order of the sources, else in that of the reports.
+  // By place: in the order of the sources, else in that of the reports.
   void finish(AssemblyReport& report, bool by_place);
 
  private:
@@ -164,9 +195,10 @@ class Engine {
   [[nodiscard]] bool end_places();
   void report_unsettled(bool settled);
 
+  ListingLine& begin_row(ListedLine& line, std::uint32_t address, const Position& at);
+
   Naming naming_;
-  unsigned radix_;
-  unsigned digits_;
+  Radix radix_;
   std::size_t sources_;
   std::deque<SourceFile> files_;  // sources, then included files
   std::map<std::string, std::optional<std::size_t>> included_;  // by path
@@ -182,6 +214,10 @@ class Engine {
   std::set<std::string> clashes_;
   std::array<Places, 10> places_;
   std::vector<Cell> memory_;  // up to the highest address with a value
+  std::vector<ListingLine> listing_;
+  ListedLine line_;           // of line_at
+  std::string_view unlisted_;  // the rest of the current source
+  std::size_t listed_ = 0;     // its lines in the listing
   std::vector<std::pair<Position, Diagnostic>> diagnostics_;
   std::size_t errors_ = 0;
   std::size_t warnings_ = 0;
@@ -191,6 +227,6 @@ class Engine {
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 // One line `name value` per symbol.
-[[nodiscard]] std::string write_symbols(std::span<const ProgramSymbol> symbols, unsigned radix, unsigned digits);
+[[nodiscard]] std::string write_symbols(std::span<const ProgramSymbol> symbols, const Radix& radix);
 
 }  // namespace sightline::assembler

@@ -64,11 +64,10 @@ I8080Assembly assemble_i8080(std::span<const SourceFile> sources, const I8080Opt
     });
     assembly.image.start = program.start;
   }
-  assembly.listing = std::move(program.listing);
   if (options.listing) add_symbol_table(assembly.listing, assembly.symbols);
   return assembly;
 }
 
-std::string write_i8080_symbols(std::span<const ProgramSymbol> symbols) { return write_symbols(symbols, 16, 4); }
+std::string write_i8080_symbols(std::span<const ProgramSymbol> symbols) { return write_symbols(symbols, hexadecimal_bytes); }
 
 }  // namespace sightline::assembler

@@ -27,48 +27,6 @@ void enter_names(Engine& engine, const Options& options) {
   for (const Define& define : options.defines) engine.enter(define.name, define.value, SymbolKind::define);
 }
 
-std::vector<std::string_view> lines_of(std::string_view text) {
-  std::vector<std::string_view> lines;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    lines.push_back(line);
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return lines;
-}
-
-ListingLine line_of(const EmittedWord& word, std::string source) {
-  return {base::octal(word.address, 5), base::octal(word.word, 6), std::move(source)};
-}
-
-std::vector<ListingLine> make_listing(std::span<const SourceFile> sources,
-                                      std::span<const EmittedWord> words) {
-  std::vector<ListingLine> listing;
-  std::size_t next = 0;
-  for (std::size_t file = 0; file < sources.size(); ++file) {
-    if (sources.size() > 1) listing.push_back({"", "", "/ " + sources[file].name});
-    std::size_t number = 0;
-    for (const std::string_view line : lines_of(sources[file].text)) {
-      ++number;
-      bool shown = false;
-      for (; next < words.size() && words[next].at.file == file && words[next].at.line == number; ++next) {
-        const EmittedWord& word = words[next];
-        if (!shown && !word.generated_source.empty()) listing.push_back({"", "", std::string(line)});
-        listing.push_back(
-            line_of(word, shown || !word.generated_source.empty() ? word.generated_source : std::string(line)));
-        listing.back().file = sources[file].name;
-        listing.back().line_number = number;
-        shown = true;
-      }
-      if (!shown) listing.push_back({"", "", std::string(line)});
-    }
-  }
-  for (; next < words.size(); ++next) listing.push_back(line_of(words[next], words[next].generated_source));
-  return listing;
-}
-
 }  // namespace
 
 base::Result<Define> parse_define(std::string_view text) {
@@ -104,7 +62,6 @@ Assembly assemble_pdp7(std::span<const SourceFile> sources, const Options& optio
                      });
   if (bell) relocate_bell_symbols(program);
   program.engine.finish(assembly, true);
-  assembly.listing = make_listing(sources, program.words);
   if (!assembly.ok()) return assembly;
   program.engine.for_each_cell([&](std::uint32_t address, std::uint32_t word) {
     assembly.image.words.emplace_hint(assembly.image.words.end(), address, core::Word18(word));
@@ -113,6 +70,6 @@ Assembly assemble_pdp7(std::span<const SourceFile> sources, const Options& optio
   return assembly;
 }
 
-std::string write_symbols(std::span<const ProgramSymbol> symbols) { return write_symbols(symbols, 8, 6); }
+std::string write_symbols(std::span<const ProgramSymbol> symbols) { return write_symbols(symbols, octal_words); }
 
 }  // namespace sightline::assembler

@@ -37,6 +37,14 @@ class IntelHexReader {
  public:
   IntelHexReader(std::string_view text, std::string_view file) : text_(text), file_(file) {}
 
+  // The addresses to which a later record gave another byte.
+  [[nodiscard]] std::vector<std::string> warnings() const {
+    if (!first_replaced_) return {};
+    const std::string count = replaced_ == 1 ? "this address has" : std::to_string(replaced_) + " addresses have";
+    return {first_replaced_->file + ":" + first_replaced_->place + ": found " + first_replaced_->found + ", expected " +
+            first_replaced_->expected + ": " + count + " the byte of the later record, as after a loader"};
+  }
+
   base::Result<ByteImage> read() {
     while (next_line()) {
       if (auto problem = record()) return *problem;
@@ -126,8 +134,8 @@ class IntelHexReader {
     for (std::size_t i = 0; i < bytes_[0]; ++i) {
       const auto to = static_cast<std::uint16_t>(first + i);
       const std::uint8_t byte = bytes_[4 + i];
-      if (image_.used(to) && image_[to] != byte) {
-        return problem(9 + 2 * i, "another byte for address " + hexadecimal(to, 4), "one value per address");
+      if (image_.used(to) && image_[to] != byte && replaced_++ == 0) {
+        first_replaced_ = problem(9 + 2 * i, "byte " + hexadecimal(byte, 2) + " for address " + hexadecimal(to, 4), hexadecimal(image_[to], 2) + " as in an earlier record");
       }
       image_.put(to, byte);
     }
@@ -171,6 +179,8 @@ class IntelHexReader {
   std::vector<std::uint8_t> bytes_;
   std::uint32_t base_ = 0;
   bool ended_ = false;
+  std::size_t replaced_ = 0;  // bytes
+  std::optional<base::Error> first_replaced_;
   ByteImage image_;
 };
 
@@ -193,8 +203,11 @@ void add_record(std::string& text, std::uint16_t address, RecordType type,
 
 }  // namespace
 
-base::Result<ByteImage> read_intel_hex(std::string_view text, std::string_view file) {
-  return IntelHexReader(text, file).read();
+base::Result<ByteImage> read_intel_hex(std::string_view text, std::string_view file, std::vector<std::string>* warnings) {
+  IntelHexReader reader(text, file);
+  auto image = reader.read();
+  if (image && warnings != nullptr) *warnings = reader.warnings();
+  return image;
 }
 
 std::string write_intel_hex(const ByteImage& image) {

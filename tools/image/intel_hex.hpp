@@ -12,16 +12,19 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "host/base/result.hpp"
 #include "tools/image/binary.hpp"
 
 namespace sightline::image {
 
-// Checks every record: colon, hexadecimal digits, length, checksum, type, at most one value per address. Only blank lines
-// and Control-Z (CP/M's end of text) may follow the end record. A file without an end record is an error, as it is
-// probably truncated.
-[[nodiscard]] base::Result<ByteImage> read_intel_hex(std::string_view text, std::string_view file);
+// Checks every record: colon, hexadecimal digits, length, checksum, type. Only blank lines and Control-Z (CP/M's end of
+// text) may follow the end record. A file without an end record is an error, as it is probably truncated. Records are stored
+// in their order, as a loader stores them: of two bytes for one address the later counts, and `warnings`, if not null, gets
+// a line about the first such address.
+[[nodiscard]] base::Result<ByteImage> read_intel_hex(std::string_view text, std::string_view file,
+                                                     std::vector<std::string>* warnings = nullptr);
 
 // Records of up to 16 bytes, a new one at the start of each run, then the end record with the start address.
 [[nodiscard]] std::string write_intel_hex(const ByteImage& image);

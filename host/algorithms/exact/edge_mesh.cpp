@@ -33,11 +33,13 @@ Vector area_of(const EdgeMesh& mesh, const Corner* corners, std::uint32_t count)
           static_cast<std::int64_t>(sum[2])};
 }
 
+// Leaves out a face without corners, which no checked scene has.
 void append_face(const scene::PolyFace& given, bool sheet, EdgeMesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.corners.size());
   append_ring(given.outline, mesh);
   for (const auto& hole : given.holes) append_ring(hole, mesh);
   const auto count = static_cast<std::uint32_t>(mesh.corners.size() - first);
+  if (count == 0) return;
   MeshFace& face = mesh.faces.emplace_back();
   face.normal = PackedNormal(area_of(mesh, mesh.corners.data() + first, count));
   face.first_corner = first;

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "host/algorithms/plantinga/rotation_model.hpp"
@@ -39,6 +40,10 @@ class ConvexParts {
 
   [[nodiscard]] const Face& face(FaceIndex index) const { return faces_[index]; }
   [[nodiscard]] double size() const { return size_; }
+  // The corners of a convex part, counterclockwise seen from outside.
+  [[nodiscard]] std::span<const Point> part(std::uint32_t index) const {
+    return {points_.data() + part_start_[index], points_.data() + part_start_[index + 1]};
+  }
   // Whether p is inside the image of a part of the face by more than the margin. `side`: the side of the face towards the
   // viewer.
   [[nodiscard]] bool covers(FaceIndex index, int side, const Point& p, const NearDirection& v,

@@ -29,14 +29,14 @@ constexpr Sight anywhere{314159, 271828};
 
 EdgeStructure structure_at(const RotationModel& model, EdgeIndex edge, const std::vector<Occluder>& occluders,
                            const Sight& sight, std::vector<PieceRange>* ranges) {
-  FromScratch<DirectArithmetic> scratch(model, sight.x, sight.z);
+  FromScratch<FlatView<DirectArithmetic>> scratch(model, {sight.x, sight.z});
   return structure_from(scratch, edge, occluders, ranges);
 }
 
 EdgeStructure structure_at(const RotationModel& model, EdgeIndex edge, const std::vector<Occluder>& occluders,
                            const Sight& sight, std::vector<PieceRange>* ranges, Trace& trace) {
   trace.scratch_begins(edge, occluders);
-  FromScratch<DirectArithmetic, TraceListener> scratch(model, sight.x, sight.z, TraceListener(trace));
+  FromScratch<FlatView<DirectArithmetic>, TraceListener> scratch(model, {sight.x, sight.z}, TraceListener(trace));
   EdgeStructure structure = structure_from(scratch, edge, occluders, ranges);
   trace.scratch_ends(edge, scratch.compared(), structure);
   return structure;

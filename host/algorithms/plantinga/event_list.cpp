@@ -1,74 +1,16 @@
 #include "host/algorithms/plantinga/event_list.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include "host/algorithms/plantinga/edge_structure.hpp"
+#include "host/algorithms/plantinga/history_search.hpp"
 #include "host/base/result.hpp"
-#include "host/base/threads.hpp"
 
 namespace sightline::algorithms::plantinga {
 namespace {
-
-// Finds the histories of the edges on several threads. The result does not depend on the distribution of edges among
-// threads.
-class HistorySearch {
- public:
-  HistorySearch(const RotationModel& model, const BuildOptions& options)
-      : model_(model), options_(options), parts_(model), histories_(model.edges().size()) {}
-
-  // Returns an error if a limit was reached.
-  std::optional<base::Error> run() {
-    const unsigned threads = options_.threads != 0 ? options_.threads : base::available_threads();
-    base::run_on_threads(options_.trace != nullptr ? 1 : threads, [this] { work(); });
-    return stopped_;
-  }
-
-  [[nodiscard]] std::vector<EdgeHistory> take() { return std::move(histories_); }
-
- private:
-  void work() {
-    for (;;) {
-      const std::size_t edge = next_.fetch_add(1);
-      if (edge >= histories_.size() || given_up_) return;
-      EdgeHistory history = history_of(model_, parts_, static_cast<EdgeIndex>(edge), options_.trace);
-      std::uint64_t pieces = history.first.size();
-      for (const EdgeChange& change : history.changes) pieces += 2 * change.after.size();
-      const base::Lock lock(mutex_);
-      changes_ += history.changes.size();
-      pieces_ += pieces;
-      histories_[edge] = std::move(history);
-      ++done_;
-      if (options_.progress) options_.progress(done_, histories_.size());
-      if (changes_ > options_.most_changes) give_up("changes", options_.most_changes);
-      if (pieces_ > options_.most_pieces) give_up("pieces", options_.most_pieces);
-    }
-  }
-
-  void give_up(const std::string& what, std::uint64_t limit) {
-    given_up_ = true;
-    if (stopped_) return;
-    stopped_ = base::bad_input("more than " + std::to_string(limit) + " " + what + " of edges: stopped after " +
-                          std::to_string(done_) + " of " + std::to_string(histories_.size()) +
-                          " edges with " + std::to_string(changes_) + " changes");
-  }
-
-  const RotationModel& model_;
-  const BuildOptions& options_;
-  const ConvexParts parts_;
-  std::vector<EdgeHistory> histories_;
-  std::atomic<std::size_t> next_ = 0;
-  std::atomic<bool> given_up_ = false;
-  base::Mutex mutex_;
-  std::size_t done_ = 0;
-  std::uint64_t changes_ = 0;
-  std::uint64_t pieces_ = 0;
-  std::optional<base::Error> stopped_;
-};
 
 // The next multiple of the tolerance, as a direction with integer parts.
 Direction round_up(const Direction& direction, double tolerance) {
@@ -142,7 +84,9 @@ void append_change(EventList& list, EdgeIndex edge, const EdgeStructure& before,
 }
 
 base::Result<EventList> build_event_list(const RotationModel& model, const BuildOptions& options) {
-  HistorySearch search(model, options);
+  const ConvexParts parts(model);
+  HistorySearch<EdgeHistory> search(model.edges().size(), options,
+                                    [&](EdgeIndex edge) { return history_of(model, parts, edge, options.trace); });
   if (auto stopped = search.run()) return std::move(*stopped);
   std::vector<EdgeHistory> histories = search.take();
   if (options.tolerance > 0) {

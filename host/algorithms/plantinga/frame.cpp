@@ -4,7 +4,46 @@
 #include <cmath>
 #include <span>
 
+#include "host/algorithms/plantinga/near_vector.hpp"
+
 namespace sightline::algorithms::plantinga {
+namespace {
+
+Near3 unit(Near3 v) {
+  const double length = length_of(v);
+  for (double& part : v) part /= length;
+  return v;
+}
+
+}  // namespace
+
+// The image axes are turned with the eye, instead of the scene before it.
+CircleImage::CircleImage(const EyeCircle& circle, double angle) : about_(near_of(circle.about)) {
+  const Near3 axis = unit(near_of(circle.axis));
+  const double cosine = std::cos(angle);
+  const double sine = std::sin(angle);
+  const auto turned = [&](const Near3& v) {
+    const double along = dot(axis, v);
+    const Near3 across = cross(axis, v);
+    Near3 result;
+    for (std::size_t i = 0; i < 3; ++i) result[i] = cosine * v[i] + (1 - cosine) * along * axis[i] + sine * across[i];
+    return result;
+  };
+  const Near3 eye = near_of(circle.eye);
+  const Near3 towards = unit(eye);
+  const Near3 level = unit(cross({0, 1, 0}, towards));
+  right_ = turned(level);
+  up_ = turned(cross(towards, level));
+  if (!circle.perspective) return;
+  deeper_ = turned(towards);
+  for (double& part : deeper_) part /= -length_of(eye);
+}
+
+CircleImage::Place CircleImage::of(const std::array<double, 3>& p) const {
+  const Near3 d{p[0] - about_[0], p[1] - about_[1], p[2] - about_[2]};
+  const double depth = 1 + dot(d, deeper_);
+  return {dot(d, right_) / depth, dot(d, up_) / depth, depth};
+}
 
 FrameMaker::FrameMaker(const RotationModel& model) : places_(model.vertices().size()) {
   points_.reserve(places_.size());
@@ -22,12 +61,33 @@ FrameMaker::FrameMaker(const RotationModel& model) : places_(model.vertices().si
   }
 }
 
+FrameMaker::FrameMaker(const RotationModel& model, const EyeCircle& circle) : FrameMaker(model) {
+  circle_ = circle;
+}
+
 void FrameMaker::place(double angle) {
+  if (circle_) {
+    const CircleImage image(*circle_, angle);
+    if (circle_->perspective) depths_.resize(points_.size());
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const CircleImage::Place place = image.of({points_[i].x, points_[i].y, points_[i].z});
+      places_[i] = {place.u, place.v};
+      if (circle_->perspective) depths_[i] = place.depth;
+    }
+    return;
+  }
   const double sine = std::sin(angle);
   const double cosine = std::cos(angle);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     places_[i] = {points_[i].x * cosine - points_[i].z * sine, points_[i].y};
   }
+}
+
+double FrameMaker::image_parameter(EdgeIndex edge, double at) const {
+  if (depths_.empty()) return at;
+  const double from = (1 - at) * depths_[edges_[edge].from];
+  const double to = at * depths_[edges_[edge].to];
+  return to / (from + to);
 }
 
 double FrameMaker::passage_of(EdgeIndex edge, FaceIndex face) const {
@@ -37,7 +97,7 @@ double FrameMaker::passage_of(EdgeIndex edge, FaceIndex face) const {
   };
   const double from = at(points_[edges_[edge].from]);
   const double to = at(points_[edges_[edge].to]);
-  return from / (from - to);
+  return image_parameter(edge, from / (from - to));
 }
 
 // Equation 5a.
@@ -55,9 +115,13 @@ double FrameMaker::junction_of(EdgeIndex edge, EdgeIndex other) const {
 }
 
 double FrameMaker::contact_of(EdgeIndex edge, std::uint32_t vertex) const {
-  const double from = places_[edges_[edge].from].u;
-  const double along = places_[edges_[edge].to].u - from;
-  return along != 0 ? std::clamp((places_[vertex].u - from) / along, 0.0, 1.0) : 0.5;
+  const Place& from = places_[edges_[edge].from];
+  const Place& to = places_[edges_[edge].to];
+  // Without a circle, the edge is level in the image.
+  const bool steep = circle_ && std::abs(to.v - from.v) > std::abs(to.u - from.u);
+  const double along = steep ? to.v - from.v : to.u - from.u;
+  const double part = steep ? places_[vertex].v - from.v : places_[vertex].u - from.u;
+  return along != 0 ? std::clamp(part / along, 0.0, 1.0) : 0.5;
 }
 
 double FrameMaker::parameter_of(EdgeIndex edge, const End& end) const {
@@ -125,7 +189,7 @@ void FrameMaker::visible_in_space(const EdgeStructureGraph& graph, double angle,
   });
   for (std::size_t i = 0; i < inner_count_; ++i) {
     const Inner& inner = inner_[i];
-    const double at = parameter_of(inner.edge, inner.end);
+    const double at = parameter_of(inner.edge, inner.end);  // in parallel projection, as on the edge
     const Point& p = points_[edges_[inner.edge].from];
     const Point& q = points_[edges_[inner.edge].to];
     SpaceLine& line = lines[inner.end_of_line / 2];

@@ -110,14 +110,24 @@ std::vector<Occluder> RotationModel::occluders_of(EdgeIndex edge) const {
   std::vector<Occluder> found;
   for (FaceIndex f = 0; f < faces_.size(); ++f) {
     const RotatedFace& face = faces_[f];
-    if (face.horizontal || face.high < low || face.low > high) continue;
-    const Vector3& about = vertices_[corners_[face.first_corner].vertex];
-    const std::int64_t from = geometry::dot(face.normal, minus(segment_of.from, about));
-    const std::int64_t to = geometry::dot(face.normal, minus(segment_of.to, about));
-    if (from < 0 || to < 0) found.push_back({f, 1, from, to});
-    if (face.sheet && (from > 0 || to > 0)) found.push_back({f, -1, -from, -to});
+    if (!face.horizontal && face.high >= low && face.low <= high) append_occluder(segment_of, f, found);
   }
   return found;
+}
+
+std::vector<Occluder> RotationModel::occluders_from_anywhere(EdgeIndex edge) const {
+  std::vector<Occluder> found;
+  for (FaceIndex f = 0; f < faces_.size(); ++f) append_occluder(segment(edge), f, found);
+  return found;
+}
+
+void RotationModel::append_occluder(const Segment& edge, FaceIndex f, std::vector<Occluder>& found) const {
+  const RotatedFace& face = faces_[f];
+  const Vector3& about = vertices_[corners_[face.first_corner].vertex];
+  const std::int64_t from = geometry::dot(face.normal, minus(edge.from, about));
+  const std::int64_t to = geometry::dot(face.normal, minus(edge.to, about));
+  if (from < 0 || to < 0) found.push_back({f, 1, from, to});
+  if (face.sheet && (from > 0 || to > 0)) found.push_back({f, -1, -from, -to});
 }
 
 // FNV-1a over everything on which events depend.

@@ -76,12 +76,15 @@ class RotationModel {
   [[nodiscard]] Segment segment(EdgeIndex edge) const {
     return {vertices_[edges_[edge].from], vertices_[edges_[edge].to]};
   }
-  // The faces that hide part of the edge from some direction.
+  // The faces that hide part of the edge from some direction without a y component.
   [[nodiscard]] std::vector<Occluder> occluders_of(EdgeIndex edge) const;
+  // The faces that hide part of the edge from somewhere.
+  [[nodiscard]] std::vector<Occluder> occluders_from_anywhere(EdgeIndex edge) const;
   // A hash of the vertices, the faces and which of them are sheets: identifies the model of an event file.
   [[nodiscard]] std::uint64_t fingerprint() const { return fingerprint_; }
 
  private:
+  void append_occluder(const Segment& edge, FaceIndex face, std::vector<Occluder>& found) const;
   void append_ring(std::span<const scene::VertexIndex> ring, std::uint32_t first_corner);
   void append_face(const scene::PolyFace& given, bool sheet);
   void number_edges();

@@ -1,12 +1,15 @@
-// Hidden-line removal of one edge from scratch, for any integer type. edge_structure.hpp describes the result.
+// Hidden-line removal of one edge from scratch, for any kind of view. edge_structure.hpp describes the result.
 //
-// With u = x Z - z X and v = y, the image line of the edge AB separates the corners of a face. A side that crosses the
-// line does so at a / (a - b), where a and b are the values at A and B of the line through the side. The crossings, in
+// The image line of the edge AB separates the corners of a face. A side that crosses the line does so at a / (a - b),
+// where a and b are the values at A and B of the line through the side. The crossings, in
 // order, are the ends of the parts that the face covers, whatever its shape and holes. For the left side of the edge a
 // corner on the line counts as to its right, for the right side as to its left.
 //
-// Sizes, with coordinates below 2^18: u has 19 bits more than a sight, the value of a line at a corner 40 bits more, an
-// end of a hidden part 41 bits more; comparing two ends takes twice as many.
+// A view says on which side of the line a point is and gives a and b; a FlatView for directions of sight without a y
+// component, in u = x Z - z X and v = y. (circle_structure.cpp has the view from a point.)
+//
+// Sizes of a FlatView, with coordinates below 2^18: u has 19 bits more than a sight, the value of a line at a corner 40
+// bits more, an end of a hidden part 41 bits more; comparing two ends takes twice as many.
 #pragma once
 
 #include <algorithm>
@@ -44,15 +47,75 @@ struct WideArithmetic {
   [[nodiscard]] static auto depth(std::int64_t n) { return geometry::WideInteger<61>(n); }
 };
 
-template <class Arithmetic, class Listener = NoListener>
-class FromScratch {
+// The view along (x, 0, z).
+template <class Arithmetic>
+class FlatView {
+ public:
   using Number = typename Arithmetic::Number;
+  using Sight = typename Arithmetic::Sight;
+
+  FlatView(const Sight& x, const Sight& z) : x_(x), z_(z) {}
+
+  static auto depth(std::int64_t n) { return Arithmetic::depth(n); }
+  // Compares p / q and r / s; q and s are not negative.
+  static int compare(const Number& p, const Number& q, const Number& r, const Number& s) {
+    const auto left = Arithmetic::product(p, s);
+    const auto right = Arithmetic::product(r, q);
+    return left < right ? -1 : (right < left ? 1 : 0);
+  }
+
+  // The sign of the face's normal towards the viewer. `corner`: a vertex of the face.
+  [[nodiscard]] int facing(const RotatedFace& face, const Vector3& /*corner*/) const {
+    return geometry::sign(x_ * Arithmetic::normal(face.normal[0]) + z_ * Arithmetic::normal(face.normal[2]));
+  }
+  // Sets the edge. False if its image is a point.
+  bool set_edge(const Vector3& a, const Vector3& b) {
+    a_ = &a;
+    b_ = &b;
+    au_ = u_of(a);
+    bu_ = u_of(b);
+    du_ = bu_ - au_;
+    dy_ = b[1] - a[1];
+    return geometry::sign(du_) != 0 || dy_ != 0;
+  }
+  void set_corner_count(std::size_t count) { us_.resize(count); }
+  // The side of the edge's line on which corner number i is, positive to the left.
+  int side(std::size_t i, const Vector3& p) {
+    us_[i] = u_of(p);
+    return geometry::sign(du_ * length(p[1] - (*a_)[1]) - (us_[i] - au_) * length(dy_));
+  }
+  // Whether a corner on the line stays there as the scene turns.
+  [[nodiscard]] bool stays(const Vector3& /*corner*/) const { return dy_ == 0; }
+  // The values at the edge's ends of the line through corners number i and j.
+  [[nodiscard]] auto values(std::size_t i, const Vector3& p, std::size_t j, const Vector3& q) const {
+    const auto u = us_[j] - us_[i];
+    const auto y = length(q[1] - p[1]);
+    return std::pair{u * length((*a_)[1] - p[1]) - (au_ - us_[i]) * y, u * length((*b_)[1] - p[1]) - (bu_ - us_[i]) * y};
+  }
+
+ private:
   using Across = typename Arithmetic::Across;
+  static auto length(std::int64_t n) { return Arithmetic::length(n); }
+  [[nodiscard]] Across u_of(const Vector3& p) const { return z_ * length(p[0]) - x_ * length(p[2]); }
+
+  Sight x_;
+  Sight z_;
+  const Vector3* a_ = nullptr;
+  const Vector3* b_ = nullptr;
+  Across au_{}, bu_{};
+  decltype(Across{} - Across{}) du_{};
+  std::int64_t dy_ = 0;
+  std::vector<Across> us_;
+};
+
+template <class View, class Listener = NoListener>
+class FromScratch {
+  using Number = typename View::Number;
 
  public:
   struct Fraction {
     Number part;
-    Number whole;  // positive
+    Number whole;  // positive; or 0 for plus or minus infinity
   };
   struct SeenPiece {
     Piece piece;
@@ -60,9 +123,8 @@ class FromScratch {
     Fraction high;
   };
 
-  using Sight = typename Arithmetic::Sight;
-  FromScratch(const RotationModel& model, const Sight& x, const Sight& z, Listener listener = Listener())
-      : model_(model), x_(x), z_(z), listener_(listener) {}
+  FromScratch(const RotationModel& model, View view, Listener listener = Listener())
+      : model_(model), view_(std::move(view)), listener_(listener) {}
 
   // Whether the last edge was compared with its occluders.
   [[nodiscard]] bool compared() const { return compared_; }
@@ -70,14 +132,7 @@ class FromScratch {
   std::vector<SeenPiece> pieces_of(EdgeIndex edge, const std::vector<Occluder>& occluders) {
     edge_ = edge;
     const picture::LineEdge& ends = model_.edges()[edge];
-    a_ = &model_.vertices()[ends.from];
-    b_ = &model_.vertices()[ends.to];
-    au_ = u_of(*a_);
-    bu_ = u_of(*b_);
-    du_ = bu_ - au_;
-    dy_ = (*b_)[1] - (*a_)[1];
-    level_ = dy_ == 0;
-    compared_ = (geometry::sign(du_) != 0 || !level_) && faces_viewer();
+    compared_ = view_.set_edge(model_.vertices()[ends.from], model_.vertices()[ends.to]) && faces_viewer();
     if (!compared_) return {};
     left_.clear();
     right_.clear();
@@ -100,42 +155,33 @@ class FromScratch {
     End end;
   };
 
-  static auto length(std::int64_t n) { return Arithmetic::length(n); }
-  static int compare(const Fraction& a, const Fraction& b) {
-    const auto left = Arithmetic::product(a.part, b.whole);
-    const auto right = Arithmetic::product(b.part, a.whole);
-    return left < right ? -1 : (right < left ? 1 : 0);
-  }
+  static int compare(const Fraction& a, const Fraction& b) { return View::compare(a.part, a.whole, b.part, b.whole); }
   static Fraction start() { return {Number(0), Number(1)}; }
   static Fraction finish() { return {Number(1), Number(1)}; }
 
-  [[nodiscard]] Across u_of(const Vector3& p) const { return z_ * length(p[0]) - x_ * length(p[2]); }
-  [[nodiscard]] int facing(const RotatedFace& face) const {
-    return geometry::sign(x_ * Arithmetic::normal(face.normal[0]) + z_ * Arithmetic::normal(face.normal[2]));
+  [[nodiscard]] int facing(FaceIndex face) const {
+    return view_.facing(model_.faces()[face], corner(model_.corners(face)[0]));
   }
+  [[nodiscard]] const Vector3& corner(const Corner& of) const { return model_.vertices()[of.vertex]; }
 
   // Whether the edge belongs to a face of a solid that is turned to the viewer, or to no solid.
   [[nodiscard]] bool faces_viewer() const {
     for (const Incidence& incidence : model_.faces_at(edge_)) {
-      const RotatedFace& face = model_.faces()[incidence.face];
-      if (face.sheet || facing(face) >= 0) return true;
+      if (model_.faces()[incidence.face].sheet || facing(incidence.face) >= 0) return true;
     }
     return false;
   }
 
   void cast(const Occluder& occluder) {
-    const RotatedFace& face = model_.faces()[occluder.face];
-    if (facing(face) != occluder.side) return;
+    if (facing(occluder.face) != occluder.side) return;
     const auto corners = model_.corners(occluder.face);
-    us_.resize(corners.size());
+    view_.set_corner_count(corners.size());
     sides_.resize(corners.size());
     bool above = false;
     bool below = false;
     bool on = false;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Vector3& p = model_.vertices()[corners[i].vertex];
-      us_[i] = u_of(p);
-      sides_[i] = geometry::sign(du_ * length(p[1] - (*a_)[1]) - (us_[i] - au_) * length(dy_));
+      sides_[i] = view_.side(i, corner(corners[i]));
       above = above || sides_[i] > 0;
       below = below || sides_[i] < 0;
       on = on || sides_[i] == 0;
@@ -156,7 +202,7 @@ class FromScratch {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const std::size_t j = corners[i].next;
       if ((sides_[i] > threshold) == (sides_[j] > threshold)) continue;
-      cuts_.push_back({cut_of(corners, i, j), end_of(corners, i, j)});
+      cuts_.push_back({cut_of(corners, i, j, sides_[i] > threshold), end_of(corners, i, j)});
     }
     std::sort(cuts_.begin(), cuts_.end(), [](const Cut& p, const Cut& q) {
       const int order = compare(p.at, q.at);
@@ -165,22 +211,22 @@ class FromScratch {
     append_hidden(occluder, hidden);
   }
 
-  Fraction cut_of(std::span<const Corner> corners, std::size_t i, std::size_t j) const {
-    const Vector3& p = model_.vertices()[corners[i].vertex];
-    const Vector3& q = model_.vertices()[corners[j].vertex];
-    const auto u = us_[j] - us_[i];
-    const auto y = length(q[1] - p[1]);
-    const auto a = u * length((*a_)[1] - p[1]) - (au_ - us_[i]) * y;
-    const auto b = u * length((*b_)[1] - p[1]) - (bu_ - us_[i]) * y;
+  // Where the side from corner i to corner j crosses the edge's line; `falling`: from its left to its right. In perspective the
+  // point seen there may be beyond the end of the line at infinity: then the cut is at plus or minus infinity. (With E, A, B
+  // and the corners P and Q, the point of PQ is E + (b (A - E) - a (B - E)) / (side of P - side of Q).)
+  Fraction cut_of(std::span<const Corner> corners, std::size_t i, std::size_t j, bool falling) const {
+    const auto [a, b] = view_.values(i, corner(corners[i]), j, corner(corners[j]));
     const Number whole = a - b;
-    if (geometry::sign(whole) < 0) return {-a, -whole};
+    const int sign = geometry::sign(whole);
+    if (sign != (falling ? -1 : 1)) return {Number((geometry::sign(a) < 0) == falling ? 1 : -1), Number(0)};
+    if (sign < 0) return {-a, -whole};
     return {a, whole};
   }
 
-  // The end at a side of the face. On a level edge, a corner on its line stays there: that end is a contact.
+  // The end at a side of the face. If a corner on the edge's line stays there, that end is a contact.
   End end_of(std::span<const Corner> corners, std::size_t i, std::size_t j) const {
-    if (level_ && sides_[i] == 0) return End::of(EndKind::contact, corners[i].vertex);
-    if (level_ && sides_[j] == 0) return End::of(EndKind::contact, corners[j].vertex);
+    if (sides_[i] == 0 && view_.stays(corner(corners[i]))) return End::of(EndKind::contact, corners[i].vertex);
+    if (sides_[j] == 0 && view_.stays(corner(corners[j]))) return End::of(EndKind::contact, corners[j].vertex);
     return End::of(EndKind::junction, corners[i].side);
   }
 
@@ -189,8 +235,8 @@ class FromScratch {
     const End passage = End::of(EndKind::passage, occluder.face);
     Fraction first = start();
     Fraction last = finish();
-    const auto from = Arithmetic::depth(occluder.from);
-    const auto to = Arithmetic::depth(occluder.to);
+    const auto from = View::depth(occluder.from);
+    const auto to = View::depth(occluder.to);
     if (occluder.from >= 0) first = {from, from - to};
     if (occluder.to >= 0) last = {-from, to - from};
     for (std::size_t i = 0; i + 1 < cuts_.size(); i += 2) {
@@ -271,18 +317,10 @@ class FromScratch {
   }
 
   const RotationModel& model_;
-  Sight x_;
-  Sight z_;
+  View view_;
   [[no_unique_address]] Listener listener_;
   EdgeIndex edge_ = 0;
   bool compared_ = false;
-  const Vector3* a_ = nullptr;
-  const Vector3* b_ = nullptr;
-  Across au_{}, bu_{};
-  decltype(Across{} - Across{}) du_{};
-  std::int64_t dy_ = 0;
-  bool level_ = false;
-  std::vector<Across> us_;
   std::vector<int> sides_;
   std::vector<Cut> cuts_;
   std::vector<Hidden> left_;

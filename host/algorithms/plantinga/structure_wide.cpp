@@ -7,7 +7,7 @@ EdgeStructure wide_structure_between(const RotationModel& model, EdgeIndex edge,
                                      const std::vector<Occluder>& occluders, const Direction& a,
                                      const Direction& b) {
   const WideSight sight = wide_sight_between(a, b);
-  FromScratch<WideArithmetic<wide_sight_bits>> scratch(model, sight.x, sight.z);
+  FromScratch<FlatView<WideArithmetic<wide_sight_bits>>> scratch(model, {sight.x, sight.z});
   EdgeStructure structure;
   for (const auto& seen : scratch.pieces_of(edge, occluders)) structure.push_back(seen.piece);
   return structure;

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "host/algorithms/plantinga/circle_events.hpp"
 #include "host/algorithms/plantinga/event_file.hpp"
 #include "host/algorithms/plantinga/frame.hpp"
 #include "host/algorithms/plantinga/turning_scene.hpp"
@@ -49,6 +50,31 @@ scene::PolyCamera camera_at(double angle) {
   return {false, {}, {-x, 0, -z}, {z, 0, -x}, {0, 1, 0}};
 }
 
+// The view of an eye on its circle. In perspective, the eye is rounded to the grid of the scene; otherwise its direction to
+// numbers below 2^15. right and up span the image plane; visibility does not need them to be orthogonal.
+scene::PolyCamera camera_at(const plantinga::EyeCircle& circle, double angle) {
+  const plantinga::NearEye eye = plantinga::near_eye_at(circle, angle);
+  double largest = 0;
+  std::size_t steepest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (std::abs(eye.turned[i]) > largest) steepest = i;
+    largest = std::max(largest, std::abs(eye.turned[i]));
+  }
+  scene::PolyCamera camera;
+  camera.perspective = circle.perspective;
+  for (std::size_t i = 0; i < 3; ++i) {
+    camera.forward[i] = static_cast<std::int32_t>(std::lround(-32767 * eye.turned[i] / largest));
+    if (circle.perspective) camera.eye[i] = static_cast<std::int32_t>(std::lround(eye.about[i] + eye.turned[i]));
+  }
+  const std::size_t second = (steepest + 1) % 3;
+  const std::size_t third = (steepest + 2) % 3;
+  camera.right = camera.up = {};
+  camera.right[second] = camera.up[third] = camera.forward[steepest];
+  camera.right[steepest] = -camera.forward[second];
+  camera.up[steepest] = -camera.forward[third];
+  return camera;
+}
+
 std::optional<picture::EdgeChooser> chooser_of(const scene::PolyScene& scene, const TurnOptions& options) {
   if (!options.edges || options.edges->all()) return std::nullopt;
   return std::optional<picture::EdgeChooser>(std::in_place, scene, *options.edges);
@@ -56,12 +82,13 @@ std::optional<picture::EdgeChooser> chooser_of(const scene::PolyScene& scene, co
 
 class PlantingaTurn {
  public:
-  PlantingaTurn(plantinga::RotationModel model, plantinga::EventList list,
+  PlantingaTurn(plantinga::RotationModel model, plantinga::EventList list, const std::optional<plantinga::EyeCircle>& circle,
                 std::optional<picture::EdgeChooser> chooser)
       : model_(std::move(model)),
         list_(std::move(list)),
         graph_(list_),
-        frames_(model_),
+        circle_(circle),
+        frames_(circle ? plantinga::FrameMaker(model_, *circle) : plantinga::FrameMaker(model_)),
         chooser_(std::move(chooser)) {}
   PlantingaTurn(const PlantingaTurn&) = delete;  // the graph points into the list
   PlantingaTurn& operator=(const PlantingaTurn&) = delete;
@@ -90,7 +117,7 @@ class PlantingaTurn {
     drawn_.assign(model_.edges().size(), !chooser_);
     if (chooser_) {
       std::size_t e = 0;
-      for (const picture::LineEdge& edge : chooser_->at(camera_at(angle)).edges) {
+      for (const picture::LineEdge& edge : chooser_->at(circle_ ? camera_at(*circle_, angle) : camera_at(angle)).edges) {
         while (model_.edges()[e] != edge) ++e;
         drawn_[e] = true;
       }
@@ -105,6 +132,7 @@ class PlantingaTurn {
   plantinga::RotationModel model_;
   plantinga::EventList list_;
   plantinga::EdgeStructureGraph graph_;
+  std::optional<plantinga::EyeCircle> circle_;
   plantinga::FrameMaker frames_;
   std::optional<picture::EdgeChooser> chooser_;  // nullopt: all edges are drawn
   std::vector<plantinga::ImageLine> found_;
@@ -115,11 +143,12 @@ class PlantingaTurn {
 // Draws each view from scratch, for scenes with too many edges to find events for.
 class ExactTurn {
  public:
-  ExactTurn(const scene::PolyScene& scene, PreparedScene prepared, std::optional<picture::EdgeChooser> chooser)
-      : scene_(scene), prepared_(std::move(prepared)), chooser_(std::move(chooser)) {}
+  ExactTurn(const scene::PolyScene& scene, PreparedScene prepared, const std::optional<plantinga::EyeCircle>& circle,
+            std::optional<picture::EdgeChooser> chooser)
+      : scene_(scene), prepared_(std::move(prepared)), circle_(circle), chooser_(std::move(chooser)) {}
 
   void visible(double angle, std::vector<TurnLine>& lines) {
-    const scene::PolyCamera camera = camera_at(angle);
+    const scene::PolyCamera camera = camera_of(angle);
     const auto view = chooser_ ? view_of(prepared_, camera, chooser_->at(camera)) : prepared_.view(camera);
     lines.clear();
     if (!view) return;  // `exact` draws every view
@@ -128,21 +157,37 @@ class ExactTurn {
   }
   void whole(double angle, std::vector<TurnLine>& lines) const {
     lines.clear();
-    for (const picture::LineEdge& edge : chooser_ ? chooser_->at(camera_at(angle)).edges : picture::edges_of(scene_))
+    for (const picture::LineEdge& edge : chooser_ ? chooser_->at(camera_of(angle)).edges : picture::edges_of(scene_))
       add(edge, angle, 0, 1, lines);
   }
 
  private:
+  [[nodiscard]] scene::PolyCamera camera_of(double angle) const {
+    return circle_ ? camera_at(*circle_, angle) : camera_at(angle);
+  }
   void add(const picture::LineEdge& edge, double angle, double low, double high,
            std::vector<TurnLine>& lines) const {
+    const auto place = [this](scene::VertexIndex v) { return scene::place_of(scene_, v); };
+    if (circle_) {
+      const plantinga::CircleImage image(*circle_, angle);
+      const std::array<double, 3> p = place(edge.from);
+      const std::array<double, 3> q = place(edge.to);
+      const auto end = [&](double s) {
+        return image.of({p[0] + s * (q[0] - p[0]), p[1] + s * (q[1] - p[1]), p[2] + s * (q[2] - p[2])});
+      };
+      const auto first = end(low);
+      const auto last = end(high);
+      lines.push_back({first.u, first.v, last.u, last.v});
+      return;
+    }
     const double sine = std::sin(angle);
     const double cosine = std::cos(angle);
-    const auto place = [&](scene::VertexIndex v) {
-      const std::array<double, 3> p = scene::place_of(scene_, v);
+    const auto image = [&](scene::VertexIndex v) {
+      const std::array<double, 3> p = place(v);
       return std::array{p[0] * cosine - p[2] * sine, p[1]};
     };
-    const auto from = place(edge.from);
-    const auto to = place(edge.to);
+    const auto from = image(edge.from);
+    const auto to = image(edge.to);
     const double du = to[0] - from[0];
     const double dv = to[1] - from[1];
     lines.push_back({from[0] + low * du, from[1] + low * dv, from[0] + high * du, from[1] + high * dv});
@@ -150,13 +195,14 @@ class ExactTurn {
 
   const scene::PolyScene& scene_;
   PreparedScene prepared_;
+  std::optional<plantinga::EyeCircle> circle_;
   std::optional<picture::EdgeChooser> chooser_;
 };
 
 base::Result<PreparedTurn> prepare_exact(const scene::PolyScene& scene, const TurnOptions& options) {
   auto views = find_line_algorithm("exact")->prepare(scene);
   if (!views) return std::move(views.error());
-  const auto turn = std::make_shared<ExactTurn>(scene, std::move(*views), chooser_of(scene, options));
+  const auto turn = std::make_shared<ExactTurn>(scene, std::move(*views), options.circle, chooser_of(scene, options));
   PreparedTurn prepared;
   prepared.visible = [turn](double angle, std::vector<TurnLine>& lines) { turn->visible(angle, lines); };
   prepared.whole = [turn](double angle, std::vector<TurnLine>& lines) { turn->whole(angle, lines); };
@@ -183,11 +229,20 @@ base::Result<plantinga::EventList> events_of(const plantinga::RotationModel& mod
   return plantinga::build_event_list(model, build);
 }
 
+base::Result<plantinga::EventList> circle_events_of(const plantinga::RotationModel& model, const TurnOptions& options) {
+  if (const auto reason = plantinga::why_not(model, *options.circle)) return base::bad_input(*reason);
+  plantinga::BuildOptions build;
+  build.progress = options.progress;
+  auto events = plantinga::build_circle_events(model, *options.circle, build);
+  if (!events) return std::move(events.error());
+  return std::move(events->list);
+}
+
 base::Result<PreparedTurn> prepare_plantinga(const scene::PolyScene& scene, const TurnOptions& options) {
   plantinga::RotationModel model(scene);
-  auto list = events_of(model, options);
+  auto list = options.circle ? circle_events_of(model, options) : events_of(model, options);
   if (!list) return list.error();
-  const auto turn = std::make_shared<PlantingaTurn>(std::move(model), std::move(*list), chooser_of(scene, options));
+  const auto turn = std::make_shared<PlantingaTurn>(std::move(model), std::move(*list), options.circle, chooser_of(scene, options));
   PreparedTurn prepared;
   prepared.visible = [turn](double angle, std::vector<TurnLine>& lines) { turn->visible(angle, lines); };
   prepared.whole = [turn](double angle, std::vector<TurnLine>& lines) { turn->whole(angle, lines); };

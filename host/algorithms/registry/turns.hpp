@@ -1,4 +1,4 @@
-// The table of the methods that turn a scene about its vertical axis. A method first computes what all views of a turn
+// The table of the methods that turn a scene about an axis. A method first computes what all views of a turn
 // share, and then draws the views one after the other.
 #pragma once
 
@@ -11,16 +11,23 @@
 #include <string_view>
 #include <vector>
 
+#include "host/algorithms/plantinga/eye_circle.hpp"
 #include "host/base/result.hpp"
 #include "host/picture/edge_choice.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::registry {
 
+using algorithms::plantinga::EyeCircle;
+using algorithms::plantinga::most_axis_part;
+
 struct TurnOptions {
   double tolerance = 0;  // radians, at least 0: events within it are joined; 0: exact
   std::optional<picture::EdgeChoice> edges = {};  // the edges to draw; nullopt: all
   std::string found = {};  // a file written by PreparedTurn::keep for this scene and tolerance; empty: none
+  // The way of the eye, about the middle of the scene; nullopt: about the y axis, in parallel projection, from +z at angle 0.
+  // Without a tolerance and a file.
+  std::optional<EyeCircle> circle = {};
   std::function<void(std::size_t done, std::size_t of)> progress = nullptr;  // from any thread, one at a time
 };
 
@@ -29,7 +36,7 @@ struct TurnCount {
   std::uint64_t value = 0;
 };
 
-// In scene units: u = x cos - z sin to the right, v = y up.
+// In scene units: u = x cos - z sin to the right, v = y up. On a circle of the eye: see plantinga::ImageLine.
 struct TurnLine {
   double u0 = 0, v0 = 0, u1 = 0, v1 = 0;
 };

@@ -200,7 +200,7 @@ ExitCode run(const MachineDescription& description, Arguments arguments) {
   if (ended.signal != 0) return static_cast<ExitCode>(128 + ended.signal);
   if (stop.complaint.empty()) return ExitCode::ok;
   print_message(stop.complaint);
-  return ExitCode::guest_failed;
+  return stop.exit_code != 0 ? static_cast<ExitCode>(stop.exit_code) : ExitCode::guest_failed;
 }
 
 }  // namespace

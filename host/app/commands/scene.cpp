@@ -317,9 +317,12 @@ void add_show(const Command& parent, const char* name, ExitCode (*show)(const Sh
 // --- list
 
 ExitCode list(bool json) {
-  const auto names = scene::builtin_scene_names();
+  const auto cells = scene::builtin_scene_names();
+  const auto models = scene::builtin_model_names();
+  auto names = cells;
+  names.insert(names.end(), models.begin(), models.end());
   if (json) {
-    print_json({{"schema", "sightline/scene-list/1"}, {"scenes", names}});
+    print_json({{"schema", "sightline/scene-list/1"}, {"scenes", names}, {"cells", cells}, {"models", models}});
   } else {
     for (const std::string_view name : names) write_stdout(std::string(name) + "\n");
   }

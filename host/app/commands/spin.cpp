@@ -1,10 +1,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -35,24 +37,32 @@ struct SpinOptions {
   EdgeArguments edges;
   std::string method;  // empty: by the scene
   std::string vertical;  // empty: that of the file's format, or y
+  std::string axis;      // empty: the vertical one
+  std::optional<double> elevation;  // degrees
+  std::optional<double> distance;   // of the eye; nullopt: parallel projection
   double step = 3;
   double tolerance = 0;
   int size = 480;
   int rate = 25;
   bool wire = false;
+
+  // Whether the scene turns otherwise than about the vertical axis, seen level and in parallel projection.
+  [[nodiscard]] bool circles() const { return !axis.empty() || elevation || distance; }
 };
 
-// Rotates the scene so that the axis `vertical` becomes y, the axis of the turn.
+// Rotates a point so that the axis `vertical` becomes y.
+scene::PolyPoint upright(const scene::PolyPoint& p, std::string_view vertical) {
+  if (vertical == "x") return {-p[1], p[0], p[2]};
+  if (vertical == "-x") return {p[1], -p[0], p[2]};
+  if (vertical == "-y") return {-p[0], -p[1], p[2]};
+  if (vertical == "z") return {p[0], p[2], -p[1]};
+  if (vertical == "-z") return {p[0], -p[2], p[1]};
+  return p;
+}
+
+// The scene with y as its vertical axis.
 scene::PolyScene turn_upright(scene::PolyScene scene, std::string_view vertical) {
-  const auto turned = [vertical](const scene::PolyPoint& p) -> scene::PolyPoint {
-    if (vertical == "x") return {-p[1], p[0], p[2]};
-    if (vertical == "-x") return {p[1], -p[0], p[2]};
-    if (vertical == "-y") return {-p[0], -p[1], p[2]};
-    if (vertical == "z") return {p[0], p[2], -p[1]};
-    if (vertical == "-z") return {p[0], -p[2], p[1]};
-    return p;
-  };
-  for (scene::PolyPoint& vertex : scene.vertices) vertex = turned(vertex);
+  for (scene::PolyPoint& vertex : scene.vertices) vertex = upright(vertex, vertical);
   // The axis of the turn is the vertical line through the middle.
   const scene::PolyPoint middle = scene::bounds_of(scene).middle();
   for (scene::PolyPoint& vertex : scene.vertices) {
@@ -60,6 +70,41 @@ scene::PolyScene turn_upright(scene::PolyScene scene, std::string_view vertical)
     vertex[2] -= middle[2];
   }
   return scene;
+}
+
+constexpr std::array<double, 2> distances{1.05, 8};
+
+// How the eye goes round the scene. A scene of small numbers is enlarged, so that the eye can be placed finely.
+registry::EyeCircle circle_about(scene::PolyScene& scene, const SpinOptions& options, std::string_view vertical) {
+  registry::EyeCircle circle;
+  const scene::PolyPoint middle = scene::bounds_of(scene).middle();
+  std::int32_t largest = 1;
+  for (const scene::PolyPoint& v : scene.vertices) {
+    for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, std::abs(v[i]));
+  }
+  const std::int32_t factor = std::max((scene::poly_coordinate_limit / 2) / largest, 1);
+  double reach = 1;
+  for (scene::PolyPoint& v : scene.vertices) {
+    for (std::int32_t& c : v) c *= factor;
+    reach = std::max(reach, std::hypot(static_cast<double>(v[0]) - middle[0] * factor, static_cast<double>(v[1]) - middle[1] * factor,
+                                       static_cast<double>(v[2]) - middle[2] * factor));
+  }
+  for (std::size_t i = 0; i < 3; ++i) circle.about[i] = std::int64_t{middle[i]} * factor;
+  if (!options.axis.empty()) {
+    const geometry::Point axis = point_argument("--axis", options.axis);
+    if (axis == geometry::Point{}) throw base::usage_error("--axis: found 0,0,0, expected a direction");
+    for (const auto part : axis) {
+      if (std::abs(part) > registry::most_axis_part)
+        throw base::usage_error(fmt::format("--axis: found {}, expected whole numbers from {} to {}", options.axis, -registry::most_axis_part, registry::most_axis_part));
+    }
+    const scene::PolyPoint turned = upright({axis[0], axis[1], axis[2]}, vertical);
+    circle.axis = {turned[0], turned[1], turned[2]};
+  }
+  circle.perspective = options.distance.has_value();
+  const double far = circle.perspective ? *options.distance * reach : 0x1p20;
+  const double elevation = options.elevation.value_or(0) * degree;
+  circle.eye = {0, std::llround(far * std::sin(elevation)), std::llround(far * std::cos(elevation))};
+  return circle;
 }
 
 // A mesh has too many events to compute.
@@ -72,7 +117,7 @@ const registry::TurnMethod& method_of(const SpinOptions& options, const scene::P
 
 // Reads the events from the file if it exists; otherwise computes and writes them.
 registry::PreparedTurn prepare_turn(const registry::TurnMethod& method, const scene::PolyScene& scene,
-                                    const SpinOptions& options) {
+                                    const SpinOptions& options, const std::optional<registry::EyeCircle>& circle) {
   const bool keeps = !options.events.empty();
   const bool found = keeps && std::filesystem::exists(options.events);
   base::ProgressLine line;
@@ -80,6 +125,7 @@ registry::PreparedTurn prepare_turn(const registry::TurnMethod& method, const sc
   turn.tolerance = options.tolerance * degree;
   turn.edges = hidden_lines::edge_choice(options.edges.options(), scene);
   if (found) turn.found = options.events;
+  turn.circle = circle;
   turn.progress = [&line](std::size_t done, std::size_t of) {
     line.show(fmt::format("events: {} of {} edges", done, of));
   };
@@ -91,9 +137,21 @@ registry::PreparedTurn prepare_turn(const registry::TurnMethod& method, const sc
   return prepared;
 }
 
-// The part of the plane that all frames fit into: the largest distance of a vertex from the axis, and the range of heights.
+// The part of the plane that all frames fit into: the largest distance of a vertex from the axis, and the range of heights. On a
+// circle of the eye, the image of a sphere about the middle.
 class Sheet {
  public:
+  Sheet(const scene::PolyScene& scene, int size, const registry::EyeCircle& circle) : size_(size) {
+    double reach = 1;
+    for (const scene::PolyPoint& v : scene.vertices) {
+      std::array<double, 3> d{};
+      for (std::size_t i = 0; i < 3; ++i) d[i] = static_cast<double>(v[i] - circle.about[i]);
+      reach = std::max(reach, std::hypot(d[0], d[1], d[2]));
+    }
+    const auto eye = std::hypot(static_cast<double>(circle.eye[0]), static_cast<double>(circle.eye[1]), static_cast<double>(circle.eye[2]));
+    if (circle.perspective) reach /= std::sqrt(1 - reach * reach / (eye * eye));
+    scale_ = 0.47 * size / reach;
+  }
   Sheet(const scene::PolyScene& scene, int size) : size_(size) {
     double reach = 1;
     double low = 0;
@@ -147,10 +205,19 @@ void spin(const SpinOptions& options) {
     throw base::usage_error(fmt::format("{}: expected a name that ends in .apng or .png", options.out));
   }
   check_edges(options.edges);
+  if (options.circles()) {
+    const std::string_view given = !options.axis.empty() ? "--axis" : options.elevation ? "--elevation" : "--distance";
+    for (const auto& [other, found] : {std::pair{"--events", !options.events.empty()}, std::pair{"--tape", !options.tape.empty()},
+                                       std::pair{"--tolerance", options.tolerance > 0}}) {
+      if (found) throw base::usage_error(fmt::format("{}: found with {}, expected a turn about the vertical axis, level and in parallel projection", other, given));
+    }
+  }
   const scene::LoadedScene source = load_scene(options.scene, options.mesh);
   if (!options.tape.empty()) write_tape(source.scene, options);
-  const std::string upright(1, "xyz"[source.report.vertical.value_or(1)]);
-  scene::PolyScene scene = turn_upright(source.scene, options.vertical.empty() ? upright : options.vertical);
+  const std::string vertical = options.vertical.empty() ? std::string(1, "xyz"[source.report.vertical.value_or(1)]) : options.vertical;
+  scene::PolyScene scene = turn_upright(source.scene, vertical);
+  std::optional<registry::EyeCircle> circle;
+  if (options.circles()) circle = circle_about(scene, options, vertical);
   const registry::TurnMethod& method = method_of(options, scene);
   if (method.name == "exact") scene = scene::with_crossings(std::move(scene));
   if (const auto reason = method.why_not(scene))
@@ -158,8 +225,8 @@ void spin(const SpinOptions& options) {
   if (method.name == "exact" && !options.events.empty())
     throw base::usage_error("--events: found with --method exact, which computes no events");
   Output output(options.out);
-  const registry::PreparedTurn turn = prepare_turn(method, scene, options);
-  const Sheet sheet(scene, options.size);
+  const registry::PreparedTurn turn = prepare_turn(method, scene, options, circle);
+  const Sheet sheet = circle ? Sheet(scene, options.size, *circle) : Sheet(scene, options.size);
   picture::ApngWriter apng({1, static_cast<std::uint16_t>(options.rate)});
   std::vector<registry::TurnLine> lines;
   const int count = static_cast<int>(std::ceil(360 / options.step - 1e-9));
@@ -211,6 +278,20 @@ void add_spin_command(const Command& program) {
       .one_of({"x", "y", "z", "-x", "-y", "-z"})
       .value("AXIS")
       .default_value("that of the file's format, or y");
+  command
+      .option("--axis", options->axis, "Turn about this direction through the middle of the scene, in the file's coordinates, such as 1,1,0")
+      .value("X,Y,Z")
+      .default_value("the vertical axis");
+  command.option("--elevation", options->elevation, "See the scene from this many degrees above the horizontal")
+      .value("DEGREES")
+      .range(-85.0, 85.0)
+      .default_value("0");
+  command
+      .option("--distance", options->distance,
+              "Perspective: the distance of the eye from the middle of the scene, in units of that of the farthest vertex")
+      .value("RATIO")
+      .range(distances[0], distances[1])
+      .default_value("parallel projection");
   command.option("--step", options->step, "Degrees from frame to frame")
       .value("DEGREES")
       .range(0.05, 180.0)

@@ -59,12 +59,15 @@ base::Result<CpmDrive> parse_cpm_drive(std::string_view) {
 }
 
 struct CpmFiles::Host {};
-CpmFiles::CpmFiles(const std::vector<CpmDrive>&) {}
+CpmFiles::CpmFiles(const std::vector<CpmDrive>&, std::uint8_t user) { state_.user = user; }
 CpmFiles::~CpmFiles() = default;
 bool CpmFiles::has_drives() const { return false; }
-bool CpmFiles::answers(std::uint8_t) { return false; }
-bool CpmFiles::needs_host(std::uint8_t) { return false; }
-CpmFiles::Answer CpmFiles::call(std::uint8_t, std::uint16_t, std::span<std::uint8_t>) { return {}; }
+void CpmFiles::restart(std::uint8_t) {}
+CpmFiles::Load CpmFiles::load(unsigned, std::string_view, std::size_t, std::span<std::uint8_t>) { return Load::no_drive; }
+std::string CpmFiles::file_of(std::uint16_t, std::span<std::uint8_t>) const { return {}; }
+CpmFiles::Answer CpmFiles::call(std::uint8_t function, std::uint16_t, std::span<std::uint8_t>) {
+  return {function == version ? std::uint16_t{0x0022} : std::uint16_t{0}};
+}
 
 }  // namespace sightline::machines
 

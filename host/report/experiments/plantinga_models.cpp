@@ -5,18 +5,15 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <span>
 #include <system_error>
 #include <utility>
 
 #include "host/algorithms/plantinga/event_file.hpp"
 #include "host/base/file.hpp"
+#include "host/scene/read/builtin.hpp"
 #include "host/scene/read/poly_file.hpp"
 
 namespace sightline::report {
-
-// The embedded files.
-std::span<const std::pair<std::string_view, std::string_view>> plantinga_model_files();
 
 namespace {
 
@@ -87,7 +84,7 @@ void write_cache(const CacheFiles& files, const StudiedModel& studied) {
 }  // namespace
 
 std::vector<std::string_view> plantinga_models_of(const Context& context) {
-  std::vector<std::string_view> names(plantinga_models.begin(), plantinga_models.end());
+  std::vector<std::string_view> names = scene::builtin_model_names();
   if (!context.full) names.pop_back();
   return names;
 }
@@ -98,14 +95,11 @@ std::vector<std::string_view> plantinga_turned_models(const Context& context) {
 }
 
 scene::PolyScene plantinga_scene(std::string_view name) {
-  const std::string file = fmt::format("{}.off", name);
-  for (const auto& [known, text] : plantinga_model_files()) {
-    if (known != file) continue;
-    auto read = scene::read_poly(text, file, scene::PolyFormat::off);
-    if (!read) throw base::bad_input(read.error().message());
-    return std::move(read->scene);
-  }
-  throw base::bad_input(fmt::format("{}: no such model", name));
+  const auto text = scene::builtin_scene_text(name);
+  if (!text) throw base::bad_input(fmt::format("{}: no such model", name));
+  auto read = scene::read_poly(*text, std::string(name), scene::PolyFormat::off);
+  if (!read) throw base::bad_input(read.error().message());
+  return std::move(read->scene);
 }
 
 StudiedModel study_model(const Context& context, std::string_view name) {

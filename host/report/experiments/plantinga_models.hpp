@@ -17,10 +17,6 @@
 
 namespace sightline::report {
 
-// In the order of the paper's Table 1.
-inline constexpr std::array<std::string_view, 6> plantinga_models{"squares", "grid", "objects",
-                                                                  "bars",    "tori", "spring"};
-
 // Without --full: those whose events take about a second in all.
 [[nodiscard]] std::vector<std::string_view> plantinga_models_of(const Context& context);
 // The models whose error is measured.

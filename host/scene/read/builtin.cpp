@@ -5,7 +5,7 @@
 
 namespace sightline::scene {
 
-// Defined in the source that cmake/embed.cmake generates from builtin/*.json.
+// Defined in the source that cmake/embed.cmake generates from builtin/.
 std::span<const std::pair<std::string_view, std::string_view>> builtin_scene_files();
 
 namespace {
@@ -14,12 +14,22 @@ std::string_view without_extension(std::string_view file) {
   return file.substr(0, file.rfind('.'));
 }
 
+std::vector<std::string_view> names_of_files(std::string_view ending) {
+  std::vector<std::string_view> names;
+  for (const auto& [file, text] : builtin_scene_files()) {
+    if (file.ends_with(ending)) names.push_back(without_extension(file));
+  }
+  return names;
+}
+
 }  // namespace
 
 std::vector<std::string_view> builtin_scene_names() {
-  std::vector<std::string_view> names;
-  for (const auto& [file, text] : builtin_scene_files()) names.push_back(without_extension(file));
-  return names;
+  return names_of_files(".json");
+}
+
+std::vector<std::string_view> builtin_model_names() {
+  return names_of_files(".off");
 }
 
 std::optional<std::string_view> builtin_scene_text(std::string_view name) {

@@ -197,8 +197,12 @@ base::Result<CellScene> read_possible_cell_scene(std::string_view json_text, con
 }
 
 base::Result<CellScene> load_cell_scene(const std::string& name_or_file) {
-  if (const auto builtin = builtin_scene_text(name_or_file))
+  if (const auto builtin = builtin_scene_text(name_or_file)) {
+    const auto models = builtin_model_names();
+    if (std::find(models.begin(), models.end(), name_or_file) != models.end())
+      return base::Error{name_or_file, "", "found a model of polyhedra, expected a scene of cells"};
     return read_possible_cell_scene(*builtin, name_or_file);
+  }
   const auto text = file_text(name_or_file);
   if (!text) return text.error();
   return read_possible_cell_scene(*text, name_or_file);

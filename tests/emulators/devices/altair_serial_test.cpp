@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <tuple>
 
@@ -19,7 +21,7 @@ constexpr std::uint8_t status = 0, data = 1;
 
 struct Line {
   AltairSerial serial;
-  explicit Line(AltairBoard board, std::uint32_t baud = 9600) : serial(core::ClockRate{}, board, baud) {}
+  explicit Line(AltairBoard board, devices::AltairLine line = {}) : serial(core::ClockRate{}, board, line) {}
   int in(std::uint8_t port, std::int64_t t) { return serial.read(port, core::at_t_state(t)); }
   void out(std::uint8_t port, int value, std::int64_t t) { serial.write(port, static_cast<std::uint8_t>(value), core::at_t_state(t)); }
   std::string printed() {
@@ -125,11 +127,37 @@ TEST(AltairSerial, ACharacterWrittenTooSoonReplacesTheWaitingOne) {
 }
 
 TEST(AltairSerial, TenCharactersASecondAt110Baud) {
-  Line line(AltairBoard::sio, 110);
+  Line line(AltairBoard::sio, {.baud = 110});
   line.out(data, 'A', 0);
   line.out(data, 'B', 1);
   EXPECT_EQ(line.in(status, 300'000 - 1) & 0x80, 0x80);  // eleven bits are a tenth of a second
   EXPECT_EQ(line.in(status, 300'000) & 0x80, 0);
+}
+
+// The tape comes before the keys, a character at a time, with all its bits; the punch gets what is sent.
+TEST(AltairSerial, ATapeIsReadBeforeTheKeysAndAllIsPunched) {
+  constexpr std::array<std::uint8_t, 2> tape{0x00, 0xFF};
+  Line line(AltairBoard::two_sio);
+  EXPECT_EQ(line.serial.link_host(), nullptr);
+  Line teletype(AltairBoard::two_sio, {9600, true, true});
+  teletype.serial.send(tape);
+  teletype.serial.type('k');
+  EXPECT_EQ(teletype.in(data, 0), 0x00);
+  EXPECT_EQ(teletype.in(status, character - 1), 0x02);
+  EXPECT_EQ(teletype.in(data, character), 0xFF);
+  EXPECT_FALSE(teletype.serial.wants_key());
+  EXPECT_EQ(teletype.in(data, 2 * character), 'k');
+  EXPECT_EQ(teletype.in(status, 3 * character), 0x02);
+  EXPECT_TRUE(teletype.serial.wants_key());
+  teletype.out(data, 0x8A, 4 * character);
+  EXPECT_EQ(teletype.printed(), "\x8A");
+  EXPECT_EQ(teletype.serial.received(), (std::vector<std::uint8_t>{0x8A}));
+  Line alone(AltairBoard::sio, {9600, false, true});
+  EXPECT_EQ(alone.serial.terminal(), nullptr);
+  EXPECT_EQ(alone.in(status, 0), 0x01) << "an empty reader";
+  alone.out(data, 'A', 1);
+  EXPECT_EQ(alone.printed(), "");
+  EXPECT_EQ(alone.serial.received(), (std::vector<std::uint8_t>{'A'}));
 }
 
 TEST(AltairSerial, InterruptsAsTheControlSays) {

@@ -212,7 +212,7 @@ TEST(I8080Ports, AnUnknownNameIsAnErrorWithTheNearestName) {
   EXPECT_EQ(ef9356.find("found device \"ef9356\", expected one of: ef9365, alt256, "), 0U) << ef9356;
   EXPECT_TRUE(ef9356.ends_with("; did you mean \"ef9365\"?")) << ef9356;
   const std::array<core::Setting, 1> bauds{{{"bauds", 300}}};
-  EXPECT_EQ(machine.attach("sio", bauds), "found option of the sio \"bauds\", expected baud; did you mean \"baud\"?");
+  EXPECT_EQ(machine.attach("sio", bauds), "found option of the sio \"bauds\", expected one of: baud, terminal, tape; did you mean \"baud\"?");
   const std::array<core::Setting, 1> baud{{{"baud", 5}}};
   EXPECT_EQ(machine.attach("sio", baud), "found 5 for the option baud of the sio, expected 50 to 1000000");
   EXPECT_EQ(machine.attach("ef9365", baud), "found option of the ef9365 \"baud\", expected none");

@@ -21,8 +21,9 @@ class SceneCommand : public sightline::test::CommandLine {
 TEST_F(SceneCommand, ListAndInfo) {
   const Ran list = sightline({"scene", "list"});
   EXPECT_EQ(list.exit_code, 0);
-  EXPECT_EQ(list.out, "house\nroberts\nstreet4\ncorridor8\ncorridor32\n");
-  EXPECT_EQ(json::parse(sightline({"scene", "list", "--json"}).out).at("scenes").size(), 5U);
+  EXPECT_EQ(list.out, "house\nroberts\nstreet4\ncorridor8\ncorridor32\nsquares\ngrid\nobjects\nbars\ntori\nspring\n");
+  EXPECT_EQ(json::parse(sightline({"scene", "list", "--json"}).out).at("scenes").size(), 11U);
+  EXPECT_EQ(json::parse(sightline({"scene", "list", "--json"}).out).at("models").size(), 6U);
   const Ran info = sightline({"scene", "info", "house", "--json"});
   EXPECT_EQ(info.exit_code, 0);
   const json r = json::parse(info.out);

@@ -83,6 +83,40 @@ TEST_F(SpinCommand, TurnsAboutTheAxisThatPointsUp) {
   }
 }
 
+TEST_F(SpinCommand, TurnsAboutAnyAxisAndInPerspective) {
+  write_models();
+  const auto spin = [&](sightline::test::Arguments more) {
+    sightline::test::Arguments arguments{"spin", "two.off", "--step", "90", "--size", "64"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return sightline(arguments);
+  };
+  // Axis and elevation of the turn without options: the same picture but for the scale.
+  const auto plain = spin({"--axis", "0,1,0", "-o", "plain.apng"});
+  ASSERT_EQ(plain.exit_code, 0) << plain.err;
+  EXPECT_EQ(frames_of(read("plain.apng")), 4U);
+  ASSERT_EQ(spin({"--elevation", "0", "-o", "level.apng"}).exit_code, 0);
+  EXPECT_EQ(read("level.apng"), read("plain.apng"));
+  const auto other = spin({"--axis", "1,2,0", "--elevation", "25", "--distance", "2.5", "-o", "other.apng"});
+  ASSERT_EQ(other.exit_code, 0) << other.err;
+  EXPECT_TRUE(has(other.out, "12 edges")) << other.out;
+  EXPECT_NE(read("other.apng"), read("plain.apng"));
+  const auto refused = [&](sightline::test::Arguments more, const char* says) {
+    more.insert(more.end(), {"-o", "bad.apng"});
+    const auto ran = spin(more);
+    EXPECT_EQ(ran.exit_code, 2) << says;
+    EXPECT_TRUE(has(ran.err, says)) << ran.err;
+    EXPECT_FALSE(exists("bad.apng"));
+  };
+  refused({"--axis", "0,0,0"}, "--axis: found 0,0,0");
+  refused({"--axis", "1,2000,0"}, "from -1000 to 1000");
+  refused({"--axis", "1,2"}, "--axis");
+  refused({"--distance", "1"}, "--distance");
+  refused({"--elevation", "90"}, "--elevation");
+  refused({"--distance", "2", "--events", "e.events"}, "--events: found with --distance");
+  refused({"--axis", "1,0,0", "--tape", "t.tape"}, "--tape: found with --axis");
+  refused({"--elevation", "5", "--tolerance", "1"}, "--tolerance: found with --elevation");
+}
+
 TEST_F(SpinCommand, SavesAndReusesEvents) {
   write_models();
   const sightline::test::Arguments spin{"spin", "two.off", "--events", "two.events", "--size",

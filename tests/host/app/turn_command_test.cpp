@@ -56,7 +56,7 @@ TEST_F(TurnCommand, TheCheckAddsNothing) {
 }
 
 TEST_F(TurnCommand, ReportsTheExcessWordsOfAModel) {
-  const Ran ran = sightline({"turn", std::string(SIGHTLINE_SOURCE_DIR) + "/tests/data/models/grid.off", "--level"});
+  const Ran ran = sightline({"turn", "grid", "--level"});
   EXPECT_EQ(ran.exit_code, 4);
   EXPECT_TRUE(has(ran.err, "words too many for 8K of core beside the program")) << ran.err;
   EXPECT_TRUE(has(ran.err, "--memory 32k")) << ran.err;

@@ -661,7 +661,7 @@ TEST(MonitorI8080, ExaminesDepositsAndSteps) {
   EXPECT_EQ(bytes.substr(0, 14), "0100  21 00 02");
   EXPECT_EQ(bytes.substr(bytes.size() - 5), " !..\n");
   EXPECT_EQ(s("e 100"), "0100 21  BEGIN: LXI     H,0200H\n");
-  EXPECT_EQ(s("step"), "0103 BEGIN+3: MVI     M,5AH  A 00  F 02  B 00  C 00  D 00  E 00  H 02  L 00  SP F0FE  INTE 0  0.000003333 s\n");
+  EXPECT_EQ(s("step"), "0103 BEGIN+3: MVI     M,5AH  A 00  F 02  B 00  C 00  D 00  E 00  H 02  L 00  SP EBFE  INTE 0  0.000003333 s\n");
   EXPECT_EQ(s("ev hl").substr(0, 10), "200 = 512.");
   s("d 300 \"MVI A,12H\"");
   EXPECT_EQ(s("ev [300]*100+[301]"), "3E12 = 15890.\n");
@@ -710,7 +710,7 @@ TEST(MonitorI8080, WhoFindsWhatCpmHasJustWritten) {
   Session& s = *m;
   s("deposit 300 5; watch 302; send \"K\\r\"; c");
   EXPECT_EQ(s("who 302").substr(0, 25), "0302: 4B was written at 0");
-  EXPECT_NE(s("who 302").find(" by F106 OUT     01H"), std::string::npos);
+  EXPECT_NE(s("who 302").find(" by EC06 OUT     01H"), std::string::npos);
   s("step");
   s("back");
   EXPECT_EQ(s("ev [302]").substr(0, 2), "4B");

@@ -248,9 +248,10 @@ TEST_F(CpmDrives, FilesAreDeletedAndRenamed) {
 TEST_F(CpmDrives, DrivesAreSelectedAndLocked) {
   host_file("b/ON.B", "b");
   EXPECT_EQ(call(12, 0), 0x22);
+  EXPECT_EQ(call(24, 0), 1) << "the CCP has selected the current disk";
   EXPECT_EQ(call(14, 1), 0);
   EXPECT_EQ(call(25, 0), 1);
-  EXPECT_EQ(call(24, 0), 2);
+  EXPECT_EQ(call(24, 0), 3);
   EXPECT_EQ(call(29, 0), 2);
   name("ON.B");
   EXPECT_EQ(call(15), 0);
@@ -275,6 +276,53 @@ TEST_F(CpmDrives, DrivesAreSelectedAndLocked) {
   EXPECT_EQ(fault_, "");
   call(32, 5);
   EXPECT_EQ(call(32, 0xFF), 5);
+}
+
+TEST_F(CpmDrives, UsersHaveAreas) {
+  host_file("a/ZERO", "0");
+  fs::create_directories(base_ / "a/3");
+  host_file("a/3/THREE", "3");
+  host_file("a/3/ZERO", "other");
+  EXPECT_EQ(search("????????.???"), (std::vector<std::string>{"ZERO       "}));
+  call(32, 3);
+  EXPECT_EQ(search("????????.???"), (std::vector<std::string>{"THREE      ", "ZERO       "}));
+  EXPECT_EQ(memory_[transfer], 3) << "the user of an entry";
+  name("ZERO");
+  EXPECT_EQ(call(15), 0);
+  EXPECT_EQ(call(20), 0);
+  EXPECT_EQ(record().substr(0, 5), "other");
+  call(32, 9);
+  EXPECT_EQ(call(15), not_found);
+  EXPECT_EQ(call(19), not_found);
+  EXPECT_FALSE(fs::exists(base_ / "a/9")) << "reading makes no area";
+  name("NINE");
+  EXPECT_EQ(call(22), 0);
+  record('9');
+  EXPECT_EQ(call(21), 0);
+  EXPECT_EQ(host_file("a/9/NINE"), std::string(128, '9'));
+  // With ? as drive the entries of all users, each with its user.
+  name("X");
+  memory_[fcb] = '?';
+  std::string found;
+  for (int code = call(17); code != not_found; code = call(18))
+    found += std::to_string(memory_[transfer]) + std::string(memory_.begin() + transfer + 1, memory_.begin() + transfer + 6) + ' ';
+  EXPECT_EQ(found, "0ZERO  3THREE 3ZERO  9NINE  ");
+}
+
+TEST_F(CpmDrives, AFolderMadeAgainIsOpenedAgain) {
+  host_file("a/F", "first");
+  name("F");
+  EXPECT_EQ(call(15), 0);
+  fs::remove_all(base_ / "a");
+  EXPECT_EQ(call(20), 0);
+  EXPECT_EQ(fault_, "A: Bad Sector");
+  ASSERT_EQ(files_->troubles().size(), 1U);
+  EXPECT_NE(files_->troubles()[0].text.find("no longer exists"), std::string::npos) << files_->troubles()[0].text;
+  fs::create_directory(base_ / "a");
+  host_file("a/F", "second");
+  EXPECT_EQ(call(20), 0);
+  EXPECT_EQ(fault_, "");
+  EXPECT_EQ(record().substr(0, 6), "second");
 }
 
 TEST_F(CpmDrives, AFileCanBeReadOnly) {
@@ -339,7 +387,7 @@ TEST_F(CpmDrives, AFileOf8MegabytesIsTheLargest) {
 
 TEST(CpmArguments, BecomeTheTailAndTwoBlocks) {
   std::vector<std::uint8_t> memory(65536, 0xAA);
-  machines::put_cpm_arguments("b:from.txt *.c?m", memory);
+  machines::cpm::put_arguments(" b:from.txt *.c?m", memory);
   const std::string tail = " B:FROM.TXT *.C?M";
   EXPECT_EQ(memory[0x80], tail.size());
   EXPECT_EQ(std::string(memory.begin() + 0x81, memory.begin() + 0x81 + static_cast<std::ptrdiff_t>(tail.size())), tail);

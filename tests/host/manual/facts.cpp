@@ -80,6 +80,8 @@ std::string height_functions() {
 std::string scene_names() {
   std::string text = "Built in:";
   for (const std::string_view name : scene::builtin_scene_names()) text += " " + code(name);
+  text += " (cells), and the models of Table 1 of Plantinga, Seales and Dyer (1990):";
+  for (const std::string_view name : scene::builtin_model_names()) text += " " + code(name);
   text += ". Families, written FAMILY-SIZE or FAMILY-SIZE-SEED:";
   for (const std::string_view name : scene::generator_names()) text += " " + code(name);
   return text + ".\n";

@@ -206,12 +206,13 @@ std::string i8080_ports() {
   using Kind = core::PortDeviceKind;
   for (const i8080::KnownDevice& known : i8080::known_devices) {
     const core::PortDeviceInfo& info = *known.info;
-    if (info.kind == Kind::special) continue;
+    if (info.kind == Kind::special && &info != &devices::SenseSwitches::info) continue;
     std::string option = "--device " + std::string(info.name);
     if (info.kind == Kind::raster_board) option = "--board " + std::string(info.choice);
     if (info.kind == Kind::plotter) option = "--plotter " + std::string(info.choice);
     if (info.kind == Kind::terminal) option = "--terminal " + std::string(info.choice);
     if (info.kind == Kind::link) option = "--" + std::string(info.name) + " FILE";
+    if (info.kind == Kind::special) option = "--" + std::string(info.name) + " XX";
     std::string lines;
     for (const std::string_view line : info.lines) lines += (lines.empty() ? "" : ", ") + std::string(line);
     table.row({std::string(info.name), code(option), ports_text(info.reads), ports_text(info.writes), lines});

@@ -27,7 +27,7 @@ class Toy {
  public:
   explicit Toy(Sources sources) : sources_(std::move(sources)) {
     for (std::size_t i = 0; i < sources_.size(); ++i) files_.push_back({std::string(1, static_cast<char>('a' + i)), ""});
-    engine_.emplace(files_, Naming{}, 8U, 6U);
+    engine_.emplace(files_, Naming{}, octal_words);
   }
 
   void run() {
@@ -139,6 +139,14 @@ TEST(AssemblerEngine, WhatNeverSettlesIsOneError) {
                                         "does not depend on itself"}));
 }
 
+TEST(AssemblerEngine, NothingElseIsReportedAfterAnError) {
+  Toy toy({Source{{"a", "nobody", 0}, {"c", "", 0}}});
+  std::uint32_t pass = 0;
+  toy.at_end = [&] { toy.engine().define(toy.engine().symbol("c", "c"), SymbolKind::constant, ++pass, {0, 2, 1}); };
+  toy.run();
+  EXPECT_EQ(toy.messages(), (Texts{"a:1:1: error: found 'nobody', expected a value"}));
+}
+
 TEST(AssemblerEngine, NamesAreLocalToSourcesThatDeclareNames) {
   Toy together(Sources{{{"n", "", 1}}, {{"m", "n", 0}}});
   together.run();
@@ -181,10 +189,11 @@ TEST(AssemblerEngine, MemoryKeepsTheLastValueAndTheFirstPlace) {
   Toy toy(Sources(1));
   toy.at_end = [&] {
     if (!toy.engine().final()) return;
-    EXPECT_EQ(toy.engine().put(7, 1, {0, 3, 2}), std::nullopt);
-    EXPECT_EQ(toy.engine().put(2, 5, {0, 4, 2}), std::nullopt);
-    EXPECT_EQ(toy.engine().put(7, 2, {0, 5, 2})->line, 3U);
-    EXPECT_EQ(toy.engine().put(7, 3, {0, 6, 2})->line, 3U);
+    ListedLine unlisted;
+    EXPECT_EQ(toy.engine().put(7, 1, {0, 3, 2}, unlisted), std::nullopt);
+    EXPECT_EQ(toy.engine().put(2, 5, {0, 4, 2}, unlisted), std::nullopt);
+    EXPECT_EQ(toy.engine().put(7, 2, {0, 5, 2}, unlisted)->line, 3U);
+    EXPECT_EQ(toy.engine().put(7, 3, {0, 6, 2}, unlisted)->line, 3U);
   };
   toy.run();
   std::vector<std::uint32_t> cells;

@@ -107,11 +107,28 @@ TEST(IntelHex, Errors) {
             "f.hex:1:10: error: found base address 00010000, expected one below 10000: an 8080 has 64K");
   EXPECT_EQ(read_error(":0400000500010000F6"),
             "f.hex:1:10: error: found a start address above FFFF, expected one within the 64K of an 8080");
-  EXPECT_EQ(read_error(":01000000AA55\n:01000000AB54\n"),
-            "f.hex:2:10: error: found another byte for address 0000, expected one value per address");
   EXPECT_EQ(read_error(":00000001FF\n:01000000AA55"),
             "f.hex:2:1: error: found ':' after the end record, expected the end of the file");
   EXPECT_EQ(read_error(":01000001AA54"), "f.hex:1:2: error: found data in an end record, expected length 00");
+}
+
+// LOAD and a paper tape loader store each byte as they read it.
+TEST(IntelHex, OverlappingRecordsAreStoredInTheirOrder) {
+  std::vector<std::string> warnings;
+  const auto read = read_intel_hex(":030100003E017647\n:0101010002FB\n:00000001FF\n", "overlap.hex", &warnings);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read.value()[0x100], 0x3E);
+  EXPECT_EQ(read.value()[0x101], 0x02);
+  EXPECT_EQ(read.value()[0x102], 0x76);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0],
+            "overlap.hex:2:10: found byte 02 for address 0101, expected 01 as in an earlier record: this address has the byte of the "
+            "later record, as after a loader");
+  const auto twice = read_intel_hex(":02000000AABB99\n:02000000BBCC77\n:00000001FF\n", "f", &warnings);
+  ASSERT_TRUE(twice);
+  EXPECT_EQ(twice.value()[1], 0xCC);
+  ASSERT_EQ(warnings.size(), 1U) << "one line for a file";
+  EXPECT_NE(warnings[0].find("2 addresses have"), std::string::npos) << warnings[0];
 }
 
 TEST(IntelHex, EverySingleDamageIsDetected) {

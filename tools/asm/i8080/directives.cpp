@@ -125,7 +125,7 @@ void I8080Pass::space() {
     const std::size_t fill_at = token_.column;
     const auto fill = expression();
     const std::uint8_t byte = fill ? byte_of(*fill, fill_at).value_or(0) : std::uint8_t{0};
-    count_lines(*size / listing_bytes_a_row);
+    count_lines(*size / hexadecimal_bytes.cells_a_row);
     for (std::uint32_t i = 0; i < *size && !reported_overflow_ && !engine_.stopped(); ++i) emit(byte);
     if (!fill) return;
   } else {
@@ -272,7 +272,7 @@ void I8080Pass::enter_segment(const std::string& name) {
 void I8080Pass::leave_common() {
   if (!open_block_) return;
   Block& block = blocks_[*open_block_];
-  const std::uint32_t size = location_ - block.begins;
+  const std::uint32_t size = (location_ - block.begins) % memory_end;  // DS may have run past FFFF
   if (behind_block_) {
     if (size > block.size) {
       report(Severity::error, block_opened_, std::to_string(size) + " bytes of COMMON /" + *open_block_ + "/",

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tools/asm/i8080/macro.hpp"
-#include "tools/asm/assembly.hpp"
+#include "tools/asm/engine.hpp"
 
 namespace sightline::assembler {
 
@@ -60,8 +60,7 @@ class I8080Frame {
   void finish();
 
   std::size_t conditionals = 0;    // open when this frame was entered
-  std::optional<std::size_t> row;  // row of the listing for the current line
-  bool row_filled = false;
+  ListedLine listed;               // the current line
 
  private:
   bool next_file_line();

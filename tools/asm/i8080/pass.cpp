@@ -59,7 +59,7 @@ bool I8080Pass::next_line() {
           "at most " + std::to_string(longest_line) + " characters");
     engine_.stop();
   }
-  begin_row();
+  if (engine_.final() && options_.listing) frame.listed = engine_.add_line((frame.is_expansion() ? "+" : "") + std::string(frame.line()));
   return true;
 }
 
@@ -69,14 +69,6 @@ void I8080Pass::count_lines(std::size_t more) {
   error(0, "more than " + std::to_string(options_.most_lines) + " lines with all expansions",
         "repeats and macros that end");
   engine_.stop();
-}
-
-void I8080Pass::begin_row() {
-  if (!engine_.final() || !options_.listing) return;
-  I8080Frame& frame = *frames_.back();
-  frame.row = program_.listing.size();
-  frame.row_filled = false;
-  program_.listing.push_back({"", "", (frame.is_expansion() ? "+" : "") + std::string(frame.line())});
 }
 
 void I8080Pass::end_of_frame() {
@@ -163,33 +155,15 @@ void I8080Pass::emit(std::uint8_t byte) {
   }
   const std::uint32_t address = location_++;
   if (!engine_.final()) return;
-  if (engine_.put(address, byte, place(0)) && !std::exchange(reported_overlap_, true))
+  made_bytes_ = true;
+  I8080Frame& frame = *frames_.back();
+  if (engine_.put(address, byte, frame.place(0), frame.listed) && !std::exchange(reported_overlap_, true))
     warning(0, "a second byte for address " + hexadecimal(address, 4), "one");
-  bytes_.push_back(byte);
 }
 
 // `frame` is the frame of the statement, which may have pushed another.
 void I8080Pass::end_statement(I8080Frame& frame) {
-  if (!engine_.final() || !frame.row || (bytes_.empty() && (!shown_value_ || frame.row_filled))) return;
-  std::size_t shown = 0;
-  do {
-    const std::size_t count = std::min(bytes_.size() - shown, listing_bytes_a_row);
-    const std::uint32_t first =
-        bytes_.empty() ? *shown_value_ : statement_location_ + static_cast<std::uint32_t>(shown);
-    std::string code = shown_equated_ ? "=" : "";
-    for (std::size_t i = 0; i < count; ++i) code += hexadecimal(bytes_[shown + i], 2);
-    if (frame.row_filled) program_.listing.push_back({"", "", ""});
-    ListingLine& line = frame.row_filled ? program_.listing.back() : program_.listing[*frame.row];
-    line.address = hexadecimal(first, 4);
-    if (!shown_equated_ && !frame.row_filled) {
-      const Position place = frame.place(0);
-      line.file = engine_.file(place.file).name;
-      line.line_number = place.line;
-    }
-    line.code = std::move(code);
-    frame.row_filled = true;
-    shown += count;
-  } while (shown < bytes_.size());
+  if (engine_.final() && !made_bytes_ && shown_value_) engine_.show(frame.listed, *shown_value_, shown_equated_, frame.place(0));
 }
 
 // Tokens and messages

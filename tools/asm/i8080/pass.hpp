@@ -20,7 +20,6 @@
 
 namespace sightline::assembler {
 
-inline constexpr std::size_t listing_bytes_a_row = 4;
 inline constexpr std::uint32_t memory_end = 0x10000;
 
 // Bits of Symbol::form.
@@ -28,10 +27,9 @@ inline constexpr int forward_form = 1;  // as in I8080Value
 inline constexpr int pattern_form = 2;
 
 struct I8080Program {
-  I8080Program(std::span<const SourceFile> sources, const Naming& naming) : engine(sources, naming, 16, 4) {}
+  I8080Program(std::span<const SourceFile> sources, const Naming& naming) : engine(sources, naming, hexadecimal_bytes) {}
 
   Engine engine;
-  std::vector<ListingLine> listing;
   std::optional<std::uint16_t> start;
 };
 
@@ -85,7 +83,6 @@ class I8080Pass {
   bool next_line();
   void end_of_frame();
   void count_lines(std::size_t more);
-  void begin_row();
   // `any_word`: also a word of the language, but not a prefix operator.
   void enter(std::string_view name, std::size_t at, SymbolKind kind, const I8080Value& value, bool any_word = false);
   [[nodiscard]] std::string suggest_declaration(const std::string& name) const;
@@ -209,7 +206,7 @@ class I8080Pass {
   std::optional<std::string> open_block_;
   Position block_opened_;
   std::optional<std::uint32_t> behind_block_;
-  std::vector<std::uint8_t> bytes_;           // of this statement
+  bool made_bytes_ = false;                   // in this statement
   std::optional<std::uint32_t> shown_value_;  // of a statement without bytes, for the listing
   bool shown_equated_ = false;                // shown_value_ is from EQU or SET
   bool reported_overflow_ = false;                // since the last ORG

@@ -10,7 +10,8 @@ namespace sightline::assembler {
 void I8080Pass::statement() {
   I8080Frame& frame = *frames_.back();
   statement_location_ = location_;
-  bytes_.clear();
+  made_bytes_ = false;
+  frame.listed.cells = 0;
   shown_value_.reset();
   shown_equated_ = reported_overlap_ = false;
   if (comment_end_ && in_comment()) return;

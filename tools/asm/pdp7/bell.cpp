@@ -47,6 +47,7 @@ void relocate_bell_symbols(Pdp7Program& program) {
 
 void BellPass::run() {
   for (std::size_t i = 0; i < engine_.sources(); ++i) read_file(i);
+  program_.end_source();
 }
 
 // --- Characters
@@ -97,7 +98,7 @@ std::string BellPass::found() const {
 
 void BellPass::read_file(std::size_t index) {
   file_ = index;
-  engine_.begin_source(index);
+  program_.begin_source(index);
   text_ = engine_.file(index).text;
   at_ = 0;
   line_ = 1;

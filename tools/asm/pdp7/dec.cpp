@@ -33,10 +33,11 @@ void DecPass::run() {
   }
   place_literals(end);
   place_variables(end);
+  program_.end_source();
 }
 
 void DecPass::read_file(std::size_t index) {
-  engine_.begin_source(index);
+  program_.begin_source(index);
   lexer_ = DecLexer(engine_.file(index).text, index);
   if (options_.first_line_is_title) lexer_.skip_line();
   decimal_ = false;

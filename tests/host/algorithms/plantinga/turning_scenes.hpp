@@ -7,22 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "host/base/file.hpp"
 #include "host/scene/model/poly_builder.hpp"
 #include "host/scene/model/poly_scene.hpp"
+#include "host/scene/read/builtin.hpp"
 #include "host/scene/read/poly_file.hpp"
 
 namespace sightline::algorithms::plantinga {
 
 inline scene::PolyScene model_scene(const std::string& name) {
-  const std::string path = SIGHTLINE_TEST_DATA "/models/" + name + ".off";
-  const auto bytes = base::read_file(path);
-  if (!bytes) {
-    ADD_FAILURE() << bytes.error().message();
-    return {};
-  }
-  const std::string text(bytes->begin(), bytes->end());
-  auto read = scene::read_poly(text, path, scene::PolyFormat::off);
+  auto read = scene::read_poly(*scene::builtin_scene_text(name), name, scene::PolyFormat::off);
   if (read) return std::move(read->scene);
   ADD_FAILURE() << read.error().found;
   return {};

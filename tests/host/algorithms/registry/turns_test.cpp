@@ -63,6 +63,35 @@ TEST(TurnMethods, FramesEqualThoseOfExact) {
   }
 }
 
+// About a slanted axis, seen from above, in both projections: both methods draw the same length. `exact` rounds the eye to the grid,
+// or its direction to 15 bits.
+TEST(TurnMethods, AgreeOnACircleOfTheEye) {
+  scene::PolyScene scene = two_boxes();
+  for (scene::PolyPoint& vertex : scene.vertices)
+    for (std::int32_t& c : vertex) c *= 1000;
+  for (const bool perspective : {false, true}) {
+    TurnOptions options;
+    options.circle = EyeCircle{{0, 12000, 8000}, {1, 3, -2}, {0, 90000, 150000}, perspective};
+    const auto events = find_turn_method("plantinga")->prepare(scene, options);
+    const auto views = find_turn_method("exact")->prepare(scene, options);
+    ASSERT_TRUE(events) << events.error().message();
+    ASSERT_TRUE(views);
+    std::vector<TurnLine> lines;
+    std::vector<TurnLine> expected;
+    for (const double angle : {0.1, 0.7, 1.9, -2.5, 3.1, -0.4}) {  // none at an event
+      events->visible(angle, lines);
+      views->visible(angle, expected);
+      EXPECT_NEAR(length_of(lines), length_of(expected), 20) << angle;
+      events->whole(angle, lines);
+      views->whole(angle, expected);
+      EXPECT_NEAR(length_of(lines), length_of(expected), 1e-6) << angle;
+    }
+  }
+  TurnOptions near;
+  near.circle = EyeCircle{{}, {0, 1, 0}, {0, 0, 30000}, true};
+  EXPECT_FALSE(find_turn_method("plantinga")->prepare(scene, near));
+}
+
 TEST(TurnMethods, SaveTheirResults) {
   const scene::PolyScene scene = two_boxes();
   const TurnMethod& method = *find_turn_method("plantinga");

@@ -49,7 +49,7 @@ inline const std::string cube = "host/examples/turn/cube.off";
 inline const std::string crossed = "host/examples/turn/crossed.off";
 inline const std::string lshape = "host/examples/turn/lshape.json";
 inline const std::string star = "host/examples/turn/star.off";
-inline const std::string grid = "tests/data/models/grid.off";
+inline const std::string grid = "host/scene/read/builtin/grid.off";
 
 // The factor for long tests: SIGHTLINE_TURNS in the environment, 1 by default.
 inline unsigned turns() {

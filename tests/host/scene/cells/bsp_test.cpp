@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <random>
 #include <string>
 #include <string_view>
@@ -27,9 +25,7 @@ namespace sightline::scene {
 namespace {
 
 PolyScene model(const std::string& name) {
-  std::ifstream file(std::string(SIGHTLINE_TEST_DATA) + "/models/" + name);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  return read_poly(text, name, PolyFormat::off)->scene;
+  return read_poly(*builtin_scene_text(name), name, PolyFormat::off)->scene;
 }
 
 // Overlapping and nested solids, one with a cavity, and a sheet with a window across them and next to them: everything that a
@@ -86,7 +82,7 @@ PolyScene enlarge(PolyScene scene, std::int32_t factor) {
 PolyScene scene_named(const std::string& name) {
   if (name == "tangled") return tangled_solids();
   if (name == "crossed") return crossed_triangles();
-  if (name.ends_with(".off")) return model(name);
+  if (builtin_scene_text(name)) return model(name);
   const std::size_t colon = name.find(':');
   const std::string family = name.substr(0, colon);
   PolyScene scene = *generate_scene(family, std::stoul(name.substr(colon + 1)), 5);
@@ -184,7 +180,7 @@ TEST_P(DecomposeBspTest, OpeningsLieOnBoundsOfTheirCells) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, DecomposeBspTest,
                          testing::Values("boxes:3", "boxes:12", "edgeon:9", "touch:3", "aligned:2", "town:9",
-                                         "triangles:12", "bricks:10", "rooms:3", "squares.off", "tangled",
+                                         "triangles:12", "bricks:10", "rooms:3", "squares", "tangled",
                                          "crossed"));
 
 std::string problems_of(const PolyScene& scene, const BspOptions& options = {}) {
@@ -196,7 +192,7 @@ std::string problems_of(const PolyScene& scene, const BspOptions& options = {}) 
 
 TEST(DecomposeBsp, MakesValidComplexes) {
   for (const char* name : {"boxes:30", "edgeon:27", "touch:2", "aligned:3", "town:25", "triangles:16",
-                           "bricks:12", "rooms:4", "grid.off", "tori.off", "tangled", "crossed"}) {
+                           "bricks:12", "rooms:4", "grid", "tori", "tangled", "crossed"}) {
     EXPECT_EQ(problems_of(scene_named(name)), "") << name;
   }
 }
@@ -204,7 +200,7 @@ TEST(DecomposeBsp, MakesValidComplexes) {
 TEST(DecomposeBsp, MakesValidComplexesWithoutJoiningLeaves) {
   BspOptions apart;
   apart.join = false;
-  for (const char* name : {"town:16", "rooms:3", "squares.off", "tangled", "crossed"}) {
+  for (const char* name : {"town:16", "rooms:3", "squares", "tangled", "crossed"}) {
     EXPECT_EQ(problems_of(scene_named(name), apart), "") << name;
   }
 }

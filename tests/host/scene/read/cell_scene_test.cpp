@@ -130,6 +130,7 @@ TEST(ReadCellScene, RejectsTextThatIsNotAJsonObject) {
 
 TEST(LoadCellScene, FindsBuiltinScenesAndNamesMissingFiles) {
   EXPECT_TRUE(load_cell_scene("corridor8"));
+  EXPECT_FALSE(load_cell_scene("tori"));
   const auto missing = load_cell_scene("no/such/scene.json");
   EXPECT_EQ(missing.error().message(),
             "no/such/scene.json: no such file, and not a built-in scene (house, roberts, street4, corridor8, "

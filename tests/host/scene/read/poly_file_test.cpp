@@ -3,13 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
+#include <algorithm>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "host/base/result.hpp"
+#include "host/scene/read/builtin.hpp"
 #include "host/scene/read/poly_json.hpp"
 #include "tests/host/scene/poly_support.hpp"
 
@@ -222,18 +224,25 @@ TEST(ReadPoly, MaterialsOfTheRemainingFaces) {
 TEST(ReadPoly, ModelsHaveTheCountsOfTheirTable) {
   struct Model {
     const char* name;
-    std::size_t vertices, faces;
+    std::size_t vertices, edges, faces;
   };
-  for (const Model& model :
-       {Model{"bars", 451, 449}, Model{"grid", 82, 41}, Model{"objects", 388, 416},
-        Model{"spring", 909, 1800}, Model{"squares", 192, 48}, Model{"tori", 512, 512}}) {
-    std::ifstream file(std::string(SIGHTLINE_TEST_DATA "/models/") + model.name + ".off", std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    const PolyImport import = read(text, PolyFormat::off);
+  for (const Model& model : {Model{"squares", 192, 192, 48}, Model{"grid", 82, 105, 41}, Model{"objects", 388, 800, 416},
+                             Model{"bars", 451, 880, 449}, Model{"tori", 512, 1024, 512}, Model{"spring", 909, 2709, 1800}}) {
+    const auto text = builtin_scene_text(model.name);
+    ASSERT_TRUE(text) << model.name;
+    const PolyImport import = read(*text, PolyFormat::off);
     std::size_t faces = 0;
-    for (const PolyBody& body : import.scene.bodies) faces += body.faces.size();
+    std::set<std::pair<VertexIndex, VertexIndex>> edges;
+    for (const PolyBody& body : import.scene.bodies) {
+      faces += body.faces.size();
+      for (const PolyFace& face : body.faces) {
+        for (std::size_t i = 0; i < face.outline.size(); ++i)
+          edges.insert(std::minmax(face.outline[i], face.outline[(i + 1) % face.outline.size()]));
+      }
+    }
     EXPECT_EQ(import.scene.vertices.size(), model.vertices) << model.name;
     EXPECT_EQ(faces, model.faces) << model.name;
+    EXPECT_EQ(edges.size(), model.edges) << model.name;
     EXPECT_FALSE(import.report.quantised) << model.name;
     EXPECT_EQ(problems(import.scene), "") << model.name;
   }
