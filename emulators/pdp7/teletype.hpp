@@ -50,11 +50,12 @@ class Keyboard final : public core::IotDevice {
     reply.test(word, flag_);
     if ((word & 02U) != 0) {
       reply.collect(core::Word18(buffer_));
+      reply.answered |= 02U;
       flag_ = false;
       polls_.forget();
+    } else if ((word & 01U) != 0 && !flag_) {
+      polls_.add();
     }
-    reply.answered |= word & 02U;
-    if ((word & 03U) == 01U && !flag_) polls_.add();  // last: a tail call
   }
   void advance(core::Instant now) override {
     while (next_ < keys_.size() && keys_[next_].arrives <= now) {

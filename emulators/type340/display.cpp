@@ -32,17 +32,17 @@ void Display::iot(core::Instant now, std::uint32_t word, core::IotReply& reply) 
       if (acts) resume(now);
       reply.answered |= word & 06U;
       break;
-    case 006: {
-      const bool interrupts = stop_interrupt(now);
-      reply.test(word, interrupts);
-      if (registers_.stop && !interrupts) counters_.asked_in_vain += word & 01U;
-      if (!acts) break;
+    case 006:
+      reply.test(word, stop_interrupt(now));
+      if (!acts) {
+        if (registers_.stop && !registers_.stop_interrupt()) ++counters_.asked_in_vain;
+        break;
+      }
       if (!reads && (address_counter(now).value() & ~reply.ac.value() & Registers::address_mask) != 0 && reply.ac.value() != 0)
         ++counters_.starts_ored;
       start(now, (reads ? reply.ac : reply.ac | address_counter(now)).value());
       reply.answered |= word & 06U;
       break;
-    }
     case 007:
       reply.test(word, light_pen_flag(now));
       if (reads) reply.collect(coordinates(now));

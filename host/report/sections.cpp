@@ -9,6 +9,7 @@
 #include "host/report/experiments/jones_unseen.hpp"
 #include "host/report/experiments/jones_views.hpp"
 #include "host/report/experiments/montani_re_8080.hpp"
+#include "host/report/experiments/montani_re_greys.hpp"
 #include "host/report/experiments/montani_re_growth.hpp"
 #include "host/report/experiments/montani_re_stripes.hpp"
 #include "host/report/experiments/montani_re_tables.hpp"
@@ -20,6 +21,7 @@
 #include "host/report/experiments/plantinga_turns.hpp"
 #include "host/report/experiments/skala_accuracy.hpp"
 #include "host/report/experiments/skala_pictures.hpp"
+#include "host/report/experiments/skala_wishes.hpp"
 #include "host/report/experiments/willis_flight.hpp"
 #include "host/report/experiments/willis_order.hpp"
 #include "host/report/experiments/willis_times.hpp"
@@ -57,7 +59,9 @@ const std::vector<Experiment>& report_experiments() {
       experiment(&plantinga_pdp7),
       experiment(&plantinga_growth, true),
       experiment(&skala_pictures),
+      experiment(&skala_wishes),
       experiment(&montani_re_8080),
+      experiment(&montani_re_greys),
       experiment(&montani_re_tables),
       experiment(&plantinga_turns, true),
       experiment(&jones_unseen, true),
@@ -99,10 +103,12 @@ const std::vector<SectionPlan>& report_sections() {
       {"skala", "Skala 1985: slices of a surface on an 8080", "skala",
        {chapter("skala-timing", 1, &skala_timing),
         chapter("skala-accuracy", 2, &skala_accuracy_chapter),
+        chapter("skala-smooth", 2, &skala_smooth_chapter),
         chapter("skala-needs", 4, &skala_needs)}},
       {"montani-re", "Montani and Re 1985: faces as stripes", "montani_re",
        {chapter("montani-re-timing", 1, &montani_re_timing),
         chapter("montani-re-8080", 1, &montani_re_8080_chapter),
+        chapter("montani-re-greys", 1, &montani_re_greys_chapter),
         chapter("montani-re-accuracy", 2, &montani_re_accuracy)}},
       {"willis", "Willis 1977: distance as priority", "willis",
        {chapter("willis-timing", 1, &willis_timing),

@@ -61,7 +61,7 @@ void Engine::run(const std::function<void()>& enter_names, const std::function<v
   while (!settled && pass_ < most_layout_passes) {
     read_once(read);
     const bool changed = end_layout_pass();
-    settled = pass_ == 1 ? !awaits_value_ : !changed;
+    settled = pass_ == 1 ? !awaits_value_ : !changed || stopped_;
     const bool any_declares = std::any_of(modules_.begin(), modules_.end(), [](const Module& module) { return module.declares; });
     if (sources_ < 2 || !any_declares || names_are_local_) continue;
     names_are_local_ = true;

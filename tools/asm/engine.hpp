@@ -110,7 +110,6 @@ class Engine {
     unlisted_ = files_[index].text;
     listed_ = 0;
   }
-  [[nodiscard]] std::size_t source() const { return source_; }
   // The index of an included file; nothing if it cannot be read. Each file is read once for all passes.
   [[nodiscard]] std::optional<std::size_t> include(const std::string& path, const IncludeReader& reader);
   // "FILE:LINE" or "the command line"
@@ -119,12 +118,12 @@ class Engine {
   // --- Names. Keys are those of Naming::key. In a source that declares names, all others are local to it.
 
   [[nodiscard]] const Naming& naming() const { return naming_; }
+  [[nodiscard]] Symbol* find(const std::string& key);
   // Makes an undefined symbol if there is none.
   Symbol& symbol(const std::string& key, std::string_view written);
-  [[nodiscard]] Symbol* find(const std::string& key);
-  // The same for a name written at `at`. Warns if it is another name of a symbol.
+  // The same. Warns if the name differs from that of the symbol where the language does not count it.
   Symbol& look_up(std::string_view written, const Position& at);
-  // Local to the source, or without a source common to all.
+  // The symbol that is local to a source, or without a source the one common to all.
   [[nodiscard]] const Symbol* find_in(const std::string& key, std::optional<std::size_t> source) const;
   // Enters a symbol of the machine or of the command line.
   void enter(std::string_view name, std::uint32_t value, SymbolKind kind, int form = 0);

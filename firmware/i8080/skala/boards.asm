@@ -171,6 +171,12 @@ COPY:   MOV     A,M
         RET
 
 ; DRAW TESTDRAW MASK COMMIT CURVE; steps of DRAW, TESTDRAW, of shading and of its first point; QUICK
+        IF      ATONCE
+BOARDF:                         ; the fast loops have a column in registers
+BOARD:  JMP     DRAWG
+        JMP     TESTV
+        JMP     MASKG
+        ELSE
 BOARDF: JMP     DRAWV           ; EF9365, no silhouettes
         JMP     TESTV
         JMP     MASKV
@@ -181,6 +187,7 @@ BOARDF: JMP     DRAWV           ; EF9365, no silhouettes
 BOARD:  JMP     DRAWG
         JMP     TESTV
         JMP     MASKV
+        ENDIF
         JMP     COMMIT
         JMP     CURVEG
         DW      STEPD,STEPT,SHADE,SHADEF

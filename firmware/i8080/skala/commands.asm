@@ -120,7 +120,11 @@ DEVICE: DCX     SP
         JMP     NEXT
 
 VECTOR:
+        IF      ATONCE
+VDRAW:  JMP     DRAWG
+        ELSE
 VDRAW:  JMP     DRAWV
+        ENDIF
 VTEST:  JMP     TESTG
 VMASK:  JMP     MASKG
 VCOMM:  JMP     COMMIT

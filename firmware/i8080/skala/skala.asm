@@ -7,24 +7,7 @@
 ;
 ; Assembled as one file, so that the loops, which change their own constants, can be laid out beside their data.
 
-        INCLUDE ../ports.asm
-        INCLUDE equates.asm
-        INCLUDE monitor.asm
-        INCLUDE commands.asm
-        INCLUDE steps.asm
-        INCLUDE masks.asm
-        INCLUDE testdraw.asm
-        INCLUDE lines.asm
-        INCLUDE upright.asm
-        INCLUDE plain.asm
-        INCLUDE curve.asm
-        INCLUDE surface.asm
-        INCLUDE slice.asm
-        INCLUDE fill.asm
-        INCLUDE contours.asm
-        INCLUDE boards.asm
-        INCLUDE plotter.asm
-
-CODEND  EQU     $               ; may not reach the masks
+ATONCE  EQU     0
+        INCLUDE program.asm
 
         END     START

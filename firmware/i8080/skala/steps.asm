@@ -25,7 +25,7 @@ DSTEP:  DW      STEPD
 TSTEP:  DW      STEPT
 SSTEP:  DW      SHADE
 SFIRST: DW      SHADEF
-QUICK:  DB      1               ; the EF9365 with visibility, no silhouettes
+QUICK:  DB      1-ATONCE        ; the EF9365 with visibility, no silhouettes
 
 ; The first point of a chain. Keeps DE.
 FIRST:  LDA     FRESH
@@ -145,9 +145,18 @@ STEPD:  MVI     H,MTP
 STEPD1: CALL    PLOT
 
 ; The point belongs to the pending column; a new column folds the one before.
+        IF      ATONCE
+TOUCH:  MOV     A,L             ; at once part of the masks
+        STA     PX
+        MOV     A,B
+        STA     PLO
+        STA     PHI
+        JMP     FOLD
+        ELSE
 TOUCH:  LDA     PX
         CMP     L
         JNZ     TOUCHN
+        ENDIF
 TOUCHS: LDA     PHI             ; the same column
         CMP     B
         JNC     TOUCH1

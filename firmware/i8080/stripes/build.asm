@@ -51,6 +51,47 @@ SLOT1:  DAD     H
         MOV     H,A
         RET
 
+        IF      COVER
+LAYERS: DB      0               ; not 0: lists of columns and layers, in slots of 48 bytes
+SLOTN:  DW      0               ; bytes in a slot of a face
+
+; The same with slots of 48 (96) bytes.
+SLOT48: PUSH    D
+        MVI     D,0
+        CALL    SLOT16
+        MOV     D,H
+        MOV     E,L
+        DAD     H
+        DAD     D
+        POP     D
+SLOT2:  MOV     A,H
+        ADD     D
+        MOV     H,A
+        RET
+SLOT96: PUSH    D
+        MVI     D,0
+        CALL    SLOT48
+        DAD     H
+        POP     D
+        JMP     SLOT2
+
+; The same with the slots of a face. DE = SLOTN = their size.
+SLOTF:  MOV     E,A
+        LDA     LAYERS
+        ORA     A
+        MOV     A,E
+        JNZ     SLOTF1
+        CALL    SLOT16
+        LXI     D,16
+        JMP     SLOTF2
+SLOTF1: CALL    SLOT48
+        LXI     D,48
+SLOTF2: XCHG
+        SHLD    SLOTN
+        XCHG
+        RET
+        ENDIF
+
 ; The stripes of face A into the slots at BASEH.
 BUILD:  STA     FACE
         CALL    EXTOF
@@ -73,16 +114,27 @@ BUILD:  STA     FACE
         SUB     B
         MOV     C,A             ; lines
         MOV     A,B
+        IF      COVER
+        CALL    SLOTF
+        ELSE
         CALL    SLOT16
+        ENDIF
         POP     D
         MOV     A,C
         ORA     A
         RZ
+        IF      COVER
+        PUSH    D
+        XCHG
+        LHLD    SLOTN
+        XCHG
+        ELSE
         LDA     MODE
         ANI     STRIPE
         JNZ     COPY1
         PUSH    D
         LXI     D,16
+        ENDIF
 BUILD1: MVI     M,255
         DAD     D
         DCR     C
@@ -118,6 +170,7 @@ BUILD4: XCHG
         JNZ     BUILD2
         RET
 
+        IF      1-COVER
 ; C lists from DE into the slots at HL.
 COPY1:  LDAX    D
         INX     D
@@ -133,6 +186,7 @@ COPY1:  LDAX    D
         DCR     C
         JNZ     COPY1
         RET
+        ENDIF
 
 ; The vertex at HL: BC = X, A = its line.
 VERTEX: MOV     C,M
@@ -208,6 +262,11 @@ EDGE5:  MOV     E,A
         MOV     B,H             ; B:DE = a line's step
         MOV     D,L
         MOV     E,C
+        IF      COVER
+        LDA     LAYERS
+        ORA     A
+        CNZ     SPREAD
+        ENDIF
         MOV     A,B             ; C:HL = half of it
         ORA     A
         RAR
@@ -266,18 +325,29 @@ EDGE9:  MOV     H,A
         LDA     BASEH
         MOV     D,A
         LDA     LY0
+        IF      COVER
+        CALL    SLOTF
+        ELSE
         CALL    SLOT16
+        ENDIF
         SHLD    SLOT
         POP     H
         POP     D
 EDGE10: PUSH    D               ; C:HL is at the middle of the line
         PUSH    H
         PUSH    B
+        IF      COVER
+        CALL    SIDE4
+        LHLD    SLOTN
+        XCHG
+        LHLD    SLOT
+        ELSE
         MOV     B,C
         LHLD    SLOT
         CALL    INSERT
         LHLD    SLOT
         LXI     D,16
+        ENDIF
         DAD     D
         SHLD    SLOT
         POP     B

@@ -32,9 +32,15 @@ DRAW1:  MOV     A,C
 DRAW2:  INX     H
         DCR     C
         JMP     DRAW1
-DRAW3:  LDA     MODE
+DRAW3:
+        IF      COVER
+        JMP     LAY
+        ELSE
+        IF      PLOTS
+        LDA     MODE
         ANI     VECTOR
         JNZ     DRAW4
+        ENDIF
         LDA     FACED
         CALL    RECOF
         INX     H
@@ -47,13 +53,27 @@ DRAW4:  LDA     YLO
         MVI     D,FS SHR 8
         CALL    SLOT16
         SHLD    FPTR
+        IF      PLOTS
         LDA     YLO
         MVI     D,SS SHR 8
         CALL    SLOT32
         SHLD    SPTR
+        ENDIF
 DRAW5:  LDA     LINE
         LXI     H,YHI
         CMP     M
+        IF      OVERW
+        RZ
+        LHLD    FPTR
+        CALL    RUNS
+DRAW8:  LHLD    FPTR
+        LXI     D,16
+        DAD     D
+        SHLD    FPTR
+        LXI     H,LINE
+        INR     M
+        JMP     DRAW5
+        ELSE
         JZ      DRAW7
         LHLD    SPTR
         XCHG
@@ -83,6 +103,8 @@ DRAW7:  LDA     MODE
         ANI     VECTOR
         JNZ     TRACE
         RET
+        ENDIF
+        ENDIF
 
 ; The stripes at FS less those of face A.
 CUT:    LHLD    YLO
@@ -98,10 +120,17 @@ CUT:    LHLD    YLO
 CUT1:   CALL    PAIR
         JZ      CUT2
         PUSH    H
+        IF      COVER
+        CALL    LESSL
+        POP     H
+        MVI     B,48
+        CALL    TAKEU
+        ELSE
         CALL    MERGE
         POP     H
         MVI     B,16
         CALL    TAKEV
+        ENDIF
         LXI     H,LINE
         INR     M
         JMP     CUT1
@@ -109,6 +138,18 @@ CUT2:   LHLD    YF
         SHLD    YLO
         RET
 
+        IF      1-COVER
+        IF      OVERW
+; The substripes of the list at HL on the board.
+RUNS:
+RUNS1:  MOV     A,M
+        CPI     255
+        RZ
+        MOV     B,A             ; from
+        INX     H
+        MOV     C,M             ; to before
+        INX     H
+        ELSE
 ; The substripes of the difference on the board.
 RUNS:   LXI     H,VTOP-1
 RUNS1:  MOV     A,M
@@ -120,6 +161,7 @@ RUNS1:  MOV     A,M
         MOV     C,M             ; to before
         DCX     H
         DCX     H
+        ENDIF
         CALL    GDPWT
         MOV     A,B
         OUT     GDPX
@@ -134,6 +176,7 @@ RUNS1:  MOV     A,M
         INR     C
         JNZ     RUNS1
         RET
+        ENDIF
 
 GDPWT:  IN      GDPCMD
         ANI     GDPRDY
@@ -142,9 +185,11 @@ GDPWT:  IN      GDPCMD
 
 ; The device must answer: an absent one's status reads FFh. The board is made ready and cleared, the plotter left as it is.
 DEVON:  MVI     B,ABSENT
+        IF      PLOTS
         LDA     MODE
         ANI     VECTOR
         JNZ     DEVON1
+        ENDIF
         IN      GDPCMD
         INR     A
         JZ      STOP
@@ -159,7 +204,9 @@ DEVON:  MVI     B,ABSENT
         MVI     A,CLEAR
         OUT     GDPCMD
         RET
+        IF      PLOTS
 DEVON1: IN      CALCMD
         INR     A
         JZ      STOP
         RET
+        ENDIF

@@ -44,6 +44,15 @@ START:  DI
         CPI     8
         JNC     NOSTRM
         STA     MODE
+        IF      COVER
+        ANI     VECTOR+STRIPE
+        JNZ     NOSTRM
+        STA     LAYERS          ; the priority list needs plain stripes
+        ENDIF
+        IF      OVERW
+        ANI     VECTOR
+        JNZ     NOSTRM
+        ENDIF
         CALL    GETB
         CPI     MOSTF+1
         JNC     BIG
@@ -88,9 +97,32 @@ WORK0:  CMP     C
         INR     A
         JMP     WORK0
 WORK1:  CALL    RANK
+        IF      OVERW
+        ; The faces, farthest first.
+DRAWIT: LXI     H,ORDER
+        LDA     COUNT
+        MOV     E,A
+        MVI     D,0
+        DAD     D
+WORK3:  MOV     A,L
+        CPI     LOW ORDER
+        JZ      WORK4
+        DCX     H
+        MOV     A,M
+        PUSH    H
+        CALL    DRAW
+        POP     H
+        JMP     WORK3
+        ELSE
         ; The faces, nearest first.
 DRAWIT: LXI     H,SS
+        IF      COVER
+        LXI     D,96
+        MVI     A,1
+        STA     LAYERS
+        ELSE
         LXI     D,32
+        ENDIF
         MVI     C,255
 WORK2:  MVI     M,255
         DAD     D
@@ -108,9 +140,16 @@ WORK3:  LXI     D,COUNT
         POP     H
         INX     H
         JMP     WORK3
-WORK4:  LDA     MODE
+        ENDIF
+WORK4:
+        IF      COVER
+        CALL    REST
+        ENDIF
+        IF      PLOTS
+        LDA     MODE
         ANI     VECTOR
         CNZ     PENUP
+        ENDIF
         MVI     B,COMPLT
         JMP     STOP
 

@@ -139,7 +139,11 @@ PAIR:   LXI     H,LINEE
         CMP     M
         JNC     PAIR1
         MVI     D,FS SHR 8
+        IF      COVER
+        CALL    SLOTF
+        ELSE
         CALL    SLOT16
+        ENDIF
         MOV     A,H
         ADI     (VS-FS) SHR 8   ; never 0
         MOV     D,A

@@ -4,19 +4,8 @@
 ; 1985. What it does with every byte it is sent is fixed by SPECIFICATION.md; NOTES.md says where each idea of the paper is
 ; here. Left out: interrupts (the stack pointer is busy in set operations), and faces in secondary storage (all are in memory).
 
-        INCLUDE ../ports.asm
-        INCLUDE equates.asm
-        INCLUDE monitor.asm
-        INCLUDE check.asm
-        INCLUDE build.asm
-        INCLUDE sets.asm
-        INCLUDE arith.asm
-        INCLUDE depth.asm
-        INCLUDE rank.asm
-        INCLUDE draw.asm
-        INCLUDE trace.asm
-        INCLUDE plotter.asm
-
-CODEND  EQU     $               ; may not reach FS
+COVER   EQU     0
+OVERW   EQU     0
+        INCLUDE program.asm
 
         END     START

@@ -262,22 +262,32 @@ StripePcs combine(const StripePcs& a, const StripePcs& b, Operation operation) {
   return result;
 }
 
-StripeRaster raster_by_difference(const Image& image, const PriorityList& list,
-                                  std::span<const TrapezoidPcs> listed, const StripeFrame& frame,
-                                  std::int32_t units) {
-  StripeRaster raster = blank(frame);
-  Filler filler(raster, units);
+StripePcs for_each_visible(const Image& image, const PriorityList& list, std::span<const TrapezoidPcs> listed,
+                           const StripeFrame& frame, std::int32_t units,
+                           const std::function<void(const StripePcs&, std::uint32_t)>& take) {
   StripePcs silhouette;
   silhouette.stripes.resize(static_cast<std::size_t>((frame.height * units + 15) / 16));
   for (const PriorityClass& members : list.classes()) {
     for (const std::uint32_t face : members) {
       const StripePcs seen =
           combine(stripe_pcs(image, listed[face], frame, units), silhouette, Operation::subtract);
-      filler.fill(seen, face);
-      raster.sides += seen.side_count();
+      take(seen, face);
       grow(silhouette, seen);
     }
   }
+  return silhouette;
+}
+
+StripeRaster raster_by_difference(const Image& image, const PriorityList& list,
+                                  std::span<const TrapezoidPcs> listed, const StripeFrame& frame,
+                                  std::int32_t units) {
+  StripeRaster raster = blank(frame);
+  Filler filler(raster, units);
+  const StripePcs silhouette =
+      for_each_visible(image, list, listed, frame, units, [&](const StripePcs& seen, std::uint32_t face) {
+        filler.fill(seen, face);
+        raster.sides += seen.side_count();
+      });
   raster.silhouette_sides = silhouette.side_count();
   return raster;
 }

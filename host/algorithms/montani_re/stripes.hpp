@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -71,6 +72,11 @@ struct StripeRaster {
 
   friend bool operator==(const StripeRaster& a, const StripeRaster& b) { return a.faces == b.faces; }
 };
+
+// Calls `take` with the visible part of each face, front to back. Returns the silhouette of all of them.
+StripePcs for_each_visible(const Image& image, const PriorityList& list, std::span<const TrapezoidPcs> listed,
+                           const StripeFrame& frame, std::int32_t units,
+                           const std::function<void(const StripePcs&, std::uint32_t face)>& take);
 
 // Front to back: from every face the silhouette is subtracted, to which the face is then added.
 [[nodiscard]] StripeRaster raster_by_difference(const Image& image, const PriorityList& list,

@@ -54,8 +54,22 @@ struct FaceRegions {
 using FaceViews = std::function<base::Result<FaceView>(const scene::PolyCamera&, const FaceWindow&)>;
 using FaceRegionViews = std::function<base::Result<FaceRegions>(const scene::PolyCamera&, const FaceWindow&)>;
 
+// Part of a pixel, in column and row (from the bottom), that a face (as in FaceView) covers; `whole` is all of the pixel. A pixel
+// may be told in several parts. What no face covers is background.
+struct FacePart {
+  std::uint32_t face = 0;
+  int column = 0;
+  int row = 0;
+  std::int64_t part = 0;
+  std::int64_t whole = 1;
+};
+// One view with parts of pixels: calls the function with all parts, and returns the counts of the view.
+using FaceCoverageViews = std::function<base::Result<std::vector<FaceCount>>(
+    const scene::PolyCamera&, const FaceWindow&, const std::function<void(const FacePart&)>&)>;
+
 struct PreparedFaces {
   FaceViews view;
+  FaceCoverageViews coverage;           // empty if the algorithm has no parts of pixels
   FaceRegionViews regions;              // empty if the algorithm computes pixels only
   std::vector<FaceCount> counts;        // about the preparation of the scene
   std::vector<std::string> not_solved;  // what may be drawn wrongly, by name

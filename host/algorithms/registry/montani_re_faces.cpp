@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "host/algorithms/montani_re/coverage.hpp"
 #include "host/algorithms/montani_re/pyramids.hpp"
 #include "host/algorithms/montani_re/region_boundary.hpp"
 #include "host/algorithms/montani_re/stripes.hpp"
@@ -72,10 +73,7 @@ class MontaniReScene {
 
   [[nodiscard]] base::Result<FaceView> view(const scene::PolyCamera& camera, const FaceWindow& window) const {
     const montani_re::StripeFrame frame = frame_of(camera, window);
-    // Corners are moved by up to four pixels, so the borders are kept far from the shown part.
-    const montani_re::WindowBounds bounds = bounds_of(frame, camera.perspective, 1);
-    const bool past_eye = montani_re::face_past_eye(scene_, camera).has_value();
-    const montani_re::FaceSet set = montani_re::faces_seen(scene_, camera, {}, past_eye ? &bounds : nullptr);
+    const montani_re::FaceSet set = faces_in(camera, frame);
     const montani_re::ListedFaces listed = montani_re::listed_faces(set);
     if (listed.interpenetrating)
       return passing_through(set, listed.interpenetrating->first, listed.interpenetrating->second);
@@ -85,11 +83,23 @@ class MontaniReScene {
     view.faces = picture::PixelGrid(window.width, window.height);
     for (std::size_t i = 0; i < raster.faces.size(); ++i)
       if (raster.faces[i] != montani_re::none) view.faces.values[i] = number(set.faces[raster.faces[i]]);
-    view.counts = {{"faces", set.faces.size()},
-                   {"relations", listed.counts.relations},
-                   {"cycles_cut", listed.counts.cuts},
-                   {"sides", raster.sides}};
+    view.counts = counts_of(set, listed, raster.sides);
     return view;
+  }
+
+  [[nodiscard]] base::Result<std::vector<FaceCount>> coverage(const scene::PolyCamera& camera, const FaceWindow& window,
+                                                              const std::function<void(const FacePart&)>& take) const {
+    const montani_re::StripeFrame frame = frame_of(camera, window);
+    const montani_re::FaceSet set = faces_in(camera, frame);
+    const montani_re::ListedFaces listed = montani_re::listed_faces(set);
+    if (listed.interpenetrating)
+      return passing_through(set, listed.interpenetrating->first, listed.interpenetrating->second);
+    const std::uint64_t sides = montani_re::coverage_by_difference(
+        set.image, listed.list, listed.faces, frame, units_,
+        [&](std::uint32_t face, std::int32_t column, std::int32_t row, std::int64_t part) {
+          take({number(set.faces[face]), column, row, part, montani_re::whole_pixel(units_)});
+        });
+    return counts_of(set, listed, sides);
   }
 
   [[nodiscard]] base::Result<FaceRegions> regions(const scene::PolyCamera& camera,
@@ -120,6 +130,21 @@ class MontaniReScene {
   }
 
  private:
+  [[nodiscard]] montani_re::FaceSet faces_in(const scene::PolyCamera& camera, const montani_re::StripeFrame& frame) const {
+    // Corners are moved by up to four pixels, so the borders are kept far from the shown part.
+    const montani_re::WindowBounds bounds = bounds_of(frame, camera.perspective, 1);
+    const bool past_eye = montani_re::face_past_eye(scene_, camera).has_value();
+    return montani_re::faces_seen(scene_, camera, {}, past_eye ? &bounds : nullptr);
+  }
+
+  static std::vector<FaceCount> counts_of(const montani_re::FaceSet& set, const montani_re::ListedFaces& listed,
+                                          std::uint64_t sides) {
+    return {{"faces", set.faces.size()},
+            {"relations", listed.counts.relations},
+            {"cycles_cut", listed.counts.cuts},
+            {"sides", sides}};
+  }
+
   [[nodiscard]] std::uint32_t number(const montani_re::Face& face) const {
     return first_faces_[face.body] + face.index;
   }
@@ -154,6 +179,8 @@ base::Result<PreparedFaces> prepare_montani_re_faces(const scene::PolyScene& sce
   prepared.view = [made](const scene::PolyCamera& camera, const FaceWindow& window) {
     return made->view(camera, window);
   };
+  prepared.coverage = [made](const scene::PolyCamera& camera, const FaceWindow& window,
+                             const std::function<void(const FacePart&)>& take) { return made->coverage(camera, window, take); };
   prepared.regions = [made](const scene::PolyCamera& camera, const FaceWindow& window) {
     return made->regions(camera, window);
   };

@@ -318,8 +318,8 @@ PageGallery stripes_gallery(const DemoResults& results) {
   for (const StripesDemoRow& row : results.stripes) {
     if (row.plotter) continue;
     const programs::stripes::MachinePicture& picture = row.drawn.picture;
-    gallery.figures.push_back({row.scene + "-stripes.png",
-                               fmt::format("{}: {} faces in {:.2f} s", row.scene, row.drawn.scene.faces.size(),
+    gallery.figures.push_back({stripes_picture(row),
+                               fmt::format("{}: {} faces{} in {:.2f} s", row.scene, row.drawn.scene.faces.size(), row.antialias ? " with smooth edges" : "",
                                            core::in_seconds(picture.receiving + picture.working())),
                                true});
   }

@@ -155,7 +155,7 @@ Verdict stripes_verdict(const DemoResults& results) {
   Range drawing;
   for (const StripesDemoRow& row : results.stripes) {
     const programs::stripes::MachinePicture& picture = row.drawn.picture;
-    if (!row.plotter) drawing.add(core::in_seconds(picture.receiving + picture.working()));
+    if (!row.plotter && !row.antialias) drawing.add(core::in_seconds(picture.receiving + picture.working()));
   }
   const MethodRange range = range_of(results.answer, compare::stripes_name, "faces");
   const MethodRange pen = range_of(results.answer, fmt::format("{} pen", compare::stripes_name), "lines");

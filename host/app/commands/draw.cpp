@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -46,6 +47,7 @@ namespace {
 struct FillArguments {
   bool fill = false;
   double stripe = 1;  // pixels
+  bool antialias = false;
 };
 
 struct FilledPicture {
@@ -92,7 +94,36 @@ picture::Image on_sheet(const picture::Image& inside, const DrawOutput& output) 
   return sheet;
 }
 
-std::vector<registry::FaceCount> write_stripes(const registry::PreparedFaces& prepared,
+// Colours mixed by the parts of each pixel that the faces cover.
+class MixedImage {
+ public:
+  MixedImage(int width, int height, std::vector<picture::Shade> shades)
+      : image_(width, height, 3), shades_(std::move(shades)), sums_(image_.pixels.size()) {}
+
+  void add(const registry::FacePart& part) {
+    const picture::Shade& shade = shades_[part.face - 1];
+    const std::size_t at = image_.index(part.column, image_.height - 1 - part.row);
+    for (std::size_t k = 0; k < shade.size(); ++k) sums_[at + k] += part.part * (int{shade[k]} - int{picture::sky[k]});
+    whole_ = part.whole;
+  }
+
+  [[nodiscard]] picture::Image image() {
+    for (std::size_t i = 0; i < sums_.size(); ++i) {
+      // Rounded to nearest; parts of a pixel may exceed it by the error of stripes whose sides cross.
+      const std::int64_t value = picture::sky[i % picture::sky.size()] + ((sums_[i] + whole_ / 2) >> std::countr_zero(static_cast<std::uint64_t>(whole_)));
+      image_.pixels[i] = static_cast<std::uint8_t>(std::clamp<std::int64_t>(value, 0, 255));
+    }
+    return image_;
+  }
+
+ private:
+  picture::Image image_;
+  std::vector<picture::Shade> shades_;
+  std::vector<std::int64_t> sums_;
+  std::int64_t whole_ = 1;
+};
+
+std::vector<registry::FaceCount> write_stripes(const registry::PreparedFaces& prepared, bool antialias,
                                               const FilledPicture& picture, Output& file) {
   const DrawOutput& output = picture.output;
   int width = output.image.width;
@@ -109,13 +140,24 @@ std::vector<registry::FaceCount> write_stripes(const registry::PreparedFaces& pr
     if (field && !picture.camera.perspective) *field *= std::min(width, height) / shorter;
   }
   const registry::FaceWindow window = registry::face_window(picture.source.scene, picture.camera, width, height, field);
-  const auto seen = value_of(prepared.view(picture.camera, window), picture.source.name);
-  const picture::Image image = picture::shaded_image(seen.faces, picture::face_shades(picture.source.scene));
+  const auto shades = picture::face_shades(picture.source.scene);
+  picture::Image image;
+  std::vector<registry::FaceCount> counts;
+  if (antialias) {
+    MixedImage mixed(width, height, shades);
+    counts = value_of(prepared.coverage(picture.camera, window, [&mixed](const registry::FacePart& part) { mixed.add(part); }),
+                      picture.source.name);
+    image = mixed.image();
+  } else {
+    auto seen = value_of(prepared.view(picture.camera, window), picture.source.name);
+    image = picture::shaded_image(seen.faces, shades);
+    counts = std::move(seen.counts);
+  }
   const auto bytes = picture::encode_png(output.is_sheet() ? on_sheet(image, output) : image,
                                          {{"Title", picture.source.name}, {"Software", "sightline"}}, output.image.unit);
   if (!bytes) throw base::io_error(bytes.error().message());
   file.write(std::span<const std::uint8_t>(*bytes));
-  return seen.counts;
+  return counts;
 }
 
 void print_filled_summary(const registry::FaceAlgorithm& algorithm, const FilledPicture& picture,
@@ -142,6 +184,9 @@ void add_fill_options(const Command& command, FillArguments& arguments) {
       .default_value()
       .value("")
       .needs(fill);
+  command.flag("--antialias", arguments.antialias,
+               "Mix the colours of the faces in a pixel by the parts that they cover, with --fill to .png")
+      .needs(fill);
 }
 
 ExitCode draw_filled(const registry::FaceAlgorithm& algorithm, const FillArguments& arguments,
@@ -149,13 +194,16 @@ ExitCode draw_filled(const registry::FaceAlgorithm& algorithm, const FillArgumen
   if (format != hidden_lines::Format::svg && format != hidden_lines::Format::png)
     throw base::usage_error(fmt::format("{}: expected a name that ends in .svg or .png with --fill",
                                                picture.output.file));
-  if (format == hidden_lines::Format::svg) reject_option(picture.output, "--stripe", "a name that ends in .png");
+  if (format == hidden_lines::Format::svg) {
+    reject_option(picture.output, "--stripe", "a name that ends in .png");
+    reject_option(picture.output, "--antialias", "a name that ends in .png");
+  }
   registry::FaceOptions options;
   options.stripe = arguments.stripe;
   const auto prepared = value_of(algorithm.prepare(picture.source.scene, options), picture.source.name);
   Output file(picture.output.file);
   const auto counts = format == hidden_lines::Format::svg ? write_outlines(prepared, picture, file)
-                                                   : write_stripes(prepared, picture, file);
+                                                   : write_stripes(prepared, arguments.antialias, picture, file);
   file.commit();
   if (picture.json) {
     print_filled_summary(algorithm, picture, counts);

@@ -60,6 +60,7 @@ ExitCode run_skala(SkalaArguments arguments) {
   order.view.silhouette = order.view.subject == Subject::contours;
   const SkalaRequest request{function.name, std::move(order)};
   const programs::skala::Outcome outcome = value_of(programs::skala::run(request.order), request.name);
+  if (request.order.direct_masks) function.stem += "-direct";
   SkalaFiles files{arguments.directory, function.stem, usual_palette(request.order.view.subject), arguments.scale};
   if (!arguments.palette.empty())
     files.palette = arguments.palette == "grey" ? RasterPalette::grey : RasterPalette::colour;
@@ -99,6 +100,8 @@ void add_machine_options(const Command& command, SkalaArguments& arguments) {
       .one_of({"raster", "alt256", "calcomp", "minigraf"})
       .value("NAME");
   command.flag("--no-visibility", arguments.no_visibility, "Draw everything: the program without its visibility test");
+  command.flag("--direct-masks", arguments.order.direct_masks,
+               "Leave out the temporary masks M1T and M1B: every dot changes the masks at once; counts the wrong dots");
   command.flag("--check", arguments.order.check, "Compare the picture with that of the same program in C++");
   command.option("--link", arguments.link, "Link from the host computer; serial has 9600 baud")
       .default_value()

@@ -38,6 +38,9 @@ void add_function_options(const Command& command, SkalaSource& source, const std
       .range(fewest, most)
       .default_value(slices)
       .value("N");
+  command.option("--subdivide", source.subdivide, "Cut each cell into N by N cells on smooth curves through the heights: smooth contours")
+      .range(2, 64)
+      .value("N");
   command.option("--points", source.points, "Samples of a function or of triangulated points along x")
       .range(fewest, most)
       .default_value(points)

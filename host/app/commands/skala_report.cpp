@@ -82,6 +82,11 @@ std::string skala_summary(const SkalaRequest& request, const programs::skala::Ou
   }
   text +=
       fmt::format("points walked    {}\npoints lit       {}\n", outcome.points_walked, outcome.points_lit);
+  if (outcome.wrong_dots) {
+    const programs::skala::WrongDots& wrong = *outcome.wrong_dots;
+    text += fmt::format("wrong dots       {}: {} missing, {} extra, without the temporary masks\n", wrong.missing + wrong.extra,
+                        wrong.missing, wrong.extra);
+  }
   if (picture.dots_not_shown > 0)
     text += fmt::format("not shown        {} dots in the rows above 239\n", picture.dots_not_shown);
   text += plotter_lines(order, outcome) + port_lines(outcome);
@@ -120,6 +125,8 @@ std::string skala_document(const SkalaRequest& request, const programs::skala::O
                            {"steps_pen_down", outcome.plotter.steps_pen_down},
                            {"steps_pen_up", outcome.plotter.steps_pen_up}};
   }
+  if (order.direct_masks) document["direct_masks"] = true;
+  if (outcome.wrong_dots) document["wrong_dots"] = {{"missing", outcome.wrong_dots->missing}, {"extra", outcome.wrong_dots->extra}};
   document["pictures"] = pictures;
   // Names of functions and files come from the user: bytes that are not UTF-8 are replaced.
   return document.dump(2) + "\n";

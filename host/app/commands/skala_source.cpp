@@ -18,6 +18,7 @@
 #include "host/scene/heights/expression.hpp"
 #include "host/scene/heights/function.hpp"
 #include "host/scene/heights/read_grid.hpp"
+#include "host/scene/heights/subdivide.hpp"
 #include "host/scene/read/builtin.hpp"
 
 namespace sightline::app {
@@ -136,9 +137,7 @@ SkalaFunction from_file(const SkalaSource& source, scene::GridSize size) {
   return function;
 }
 
-}  // namespace
-
-SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usual) {
+SkalaFunction load_whole(const SkalaSource& source, scene::GridSize usual) {
   if (source.name_or_file.empty() == source.expression.empty()) {
     throw base::usage_error(fmt::format("found {}, expected one: a name ({}), a grid file, or --function EXPRESSION",
                               source.expression.empty() ? "no function to draw" : "two functions to draw",
@@ -163,6 +162,16 @@ SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usu
   if (!source.domain.empty())
     throw base::usage_error("--domain: found without --function; names and grid files have their own");
   return function ? from_name(source, *function, size) : from_file(source, size);
+}
+
+}  // namespace
+
+SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usual) {
+  SkalaFunction function = load_whole(source, usual);
+  if (!source.subdivide) return function;
+  if (function.net) throw base::usage_error(fmt::format("--subdivide: expected a surface over a grid; {} is a net of curves", function.name));
+  function.grid = value_of(scene::subdivided(function.grid, *source.subdivide), function.name);
+  return function;
 }
 
 bool is_height_function(const std::string& name) {

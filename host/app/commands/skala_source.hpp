@@ -26,6 +26,7 @@ struct SkalaSource {
   bool nets = false;                  // a file may be a net of curves
   std::optional<std::size_t> points;  // of a function or of triangulated points
   std::optional<std::size_t> slices;
+  std::optional<std::size_t> subdivide;  // each cell in so many parts along both axes, by smooth curves
 };
 
 struct SkalaFunction {

@@ -35,6 +35,8 @@ struct StripesArguments {
   std::string palette = "grey";
   int scale = 3;
   std::string directory = "out";
+  bool antialias = false;
+  bool overwrite = false;
   bool check = false;
   bool json = false;
 };
@@ -43,17 +45,36 @@ stripes::Computer computer_named(const std::string& name) {
   return name == "host" ? stripes::Computer::host : stripes::Computer::i8080;
 }
 
+stripes::Build build_of(const StripesArguments& arguments) {
+  if (arguments.antialias) return stripes::Build::coverage;
+  return arguments.overwrite ? stripes::Build::overwrite : stripes::Build::plain;
+}
+
 stripes::StreamOptions options_of(const StripesArguments& arguments) {
   return {arguments.device == "calcomp" ? stripes::Output::vector : stripes::Output::raster,
-          computer_named(arguments.made_by), computer_named(arguments.priority)};
+          computer_named(arguments.made_by), computer_named(arguments.priority), build_of(arguments)};
+}
+
+// Found before the scene is read.
+void reject_impossible(const StripesArguments& arguments) {
+  const std::string_view option = arguments.antialias ? "--antialias" : "--overwrite";
+  if (!arguments.antialias && !arguments.overwrite) return;
+  if (arguments.device == "calcomp")
+    throw base::usage_error(fmt::format("{}: found with --device calcomp, expected the raster board: {}", option,
+                                        arguments.antialias ? "the plotter has no greys" : "a line that is drawn cannot be overwritten"));
+  if (arguments.antialias && arguments.made_by == "host")
+    throw base::usage_error("--antialias: found with --stripes host, expected stripes by the 8080: lists of the host have no types of sides");
 }
 
 std::vector<std::string> write_pictures(const StripesArguments& arguments, const std::string& name,
                                         const stripes::MachinePicture& picture) {
   make_directory(arguments.directory);
   const bool vector = arguments.device == "calcomp";
-  const std::string base =
-      (std::filesystem::path(arguments.directory) / (file_stem(name) + (vector ? "-stripes-calcomp" : "-stripes"))).string();
+  std::string kind = "-stripes";
+  if (vector) kind += "-calcomp";
+  if (arguments.antialias) kind += "-antialias";
+  if (arguments.overwrite) kind += "-overwrite";
+  const std::string base = (std::filesystem::path(arguments.directory) / (file_stem(name) + kind)).string();
   const std::string title = fmt::format("{}, Montani and Re 1985 on the 8080, {}", name, vector ? "CalComp 565" : "EF9365 board");
   const picture::TextEntries text{{"Title", title}, {"Software", "sightline"}};
   std::vector<std::string> paths{base + ".png"};
@@ -85,9 +106,14 @@ std::string summary_of(const StripesArguments& arguments, const stripes::Outcome
   std::string text = fmt::format("{} in stripes on the 8080 at 3 MHz, {}\n", arguments.scene, vector ? "CalComp 565" : "EF9365 board");
   const auto row = [&text](std::string_view name, const std::string& value) { text += fmt::format("{:<17}{}\n", name, value); };
   row("faces", fmt::format("{} turned to the eye{}", drawn.scene.faces.size(), drawn.scene.clipped ? ", clipped to the picture" : ""));
-  row("bytes", fmt::format("program {} of {}; scene {}: polygons {}, stripes {}", stripes::resident_program().memory.size(),
+  row("bytes", fmt::format("program {} of {}; scene {}: polygons {}, stripes {}", stripes::resident_program(build_of(arguments)).memory.size(),
                            stripes::program_room, drawn.stream.bytes.size(), drawn.stream.polygon_bytes, drawn.stream.stripe_bytes));
-  row("stripes", fmt::format("made by the {}; at most {} ends in a line of a face, {} of the silhouette", arguments.made_by,
+  if (arguments.antialias)
+    row("stripes", "made by the 8080; the parts of dots at sides in quarters");
+  else if (arguments.overwrite)
+    row("stripes", fmt::format("made by the {}; drawn from the back, each face over those behind it", arguments.made_by));
+  else
+    row("stripes", fmt::format("made by the {}; at most {} ends in a line of a face, {} of the silhouette", arguments.made_by,
                              counts.face_most, counts.silhouette_most));
   if (arguments.priority == "8080") {
     std::string tests;
@@ -119,7 +145,7 @@ Json document_of(const StripesArguments& arguments, const stripes::Outcome& draw
                 {"stripes_by", arguments.made_by},
                 {"priority_by", arguments.priority},
                 {"faces", drawn.scene.faces.size()},
-                {"program_bytes", stripes::resident_program().memory.size()},
+                {"program_bytes", stripes::resident_program(build_of(arguments)).memory.size()},
                 {"scene_bytes", drawn.stream.bytes.size()},
                 {"polygon_bytes", drawn.stream.polygon_bytes},
                 {"stripe_bytes", drawn.stream.stripe_bytes},
@@ -134,12 +160,15 @@ Json document_of(const StripesArguments& arguments, const stripes::Outcome& draw
                 {"dots", counts.dots},
                 {"links", counts.links},
                 {"pictures", pictures}};
+  if (arguments.antialias) document["antialias"] = true;
+  if (arguments.overwrite) document["overwrite"] = true;
   document["pairs_decided_by_test"] = Json::array();
   for (std::size_t k = 1; k < counts.decided_by.size(); ++k) document["pairs_decided_by_test"].push_back(counts.decided_by[k]);
   return document;
 }
 
 ExitCode run_stripes(const StripesArguments& arguments) {
+  reject_impossible(arguments);
   MeshArguments mesh = arguments.mesh;
   mesh.eye = eye_of(arguments.camera);
   const scene::LoadedScene source = load_scene(arguments.scene, mesh);
@@ -179,6 +208,10 @@ void add_stripes_command(const Command& program) {
       .default_value()
       .one_of({"8080", "host"})
       .value("NAME");
+  const Option antialias = command.flag("--antialias", arguments->antialias,
+                                        "On the board: grey dots at sides, by the parts that the faces cover");
+  command.flag("--overwrite", arguments->overwrite, "On the board: draw from the farthest face, without a silhouette")
+      .excludes(antialias);
   command.flag("--check", arguments->check, "Compare the picture with that of the same program in C++");
   command.option("--palette", arguments->palette, "Colours of the PNG").default_value().one_of({"grey", "colour"}).value("NAME");
   command.option("--scale", arguments->scale, "Pixels per dot in the PNG").default_value().range(1, 32);

@@ -12,11 +12,14 @@ namespace sightline::app {
 struct StripesDemoRow {
   std::string scene;
   bool plotter = false;
-  programs::stripes::Outcome drawn;
+  bool antialias = false;
+  programs::stripes::Outcome drawn{};
 };
 
-// Writes SCENE-stripes.png into `directory`. Error as programs::stripes::run, or io.
+// Writes SCENE-stripes.png and, with antialiasing, SCENE-stripes-antialias.png into `directory`. Error as programs::stripes::run, or io.
 [[nodiscard]] std::vector<StripesDemoRow> run_stripes_demo(const std::string& directory);
+// The name of a row's picture.
+[[nodiscard]] std::string stripes_picture(const StripesDemoRow& row);
 [[nodiscard]] std::string stripes_demo_table(const std::vector<StripesDemoRow>& rows);
 // Adds "stripes".
 void add_stripes_demo(base::Json& document, const std::vector<StripesDemoRow>& rows);

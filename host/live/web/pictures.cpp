@@ -26,6 +26,7 @@
 #include "host/scene/heights/expression.hpp"
 #include "host/scene/heights/function.hpp"
 #include "host/scene/heights/read_grid.hpp"
+#include "host/scene/heights/subdivide.hpp"
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/read/builtin.hpp"
 #include "host/scene/read/load.hpp"
@@ -91,7 +92,7 @@ std::string message_of(const base::Error& error) {
 
 // By "expression", over -"domain" to "domain"; or by the name of a function or of a file of the page. Sampled at "points" by
 // "slices"; a file has its own size.
-base::Result<scene::HeightGrid> grid_of(const Workbench& workbench, const Json& request) {
+base::Result<scene::HeightGrid> known_heights(const Workbench& workbench, const Json& request) {
   const std::string name = text_of(request, "function");
   const auto size = [&](std::string_view key, double usual) {
     return static_cast<std::size_t>(std::clamp(number_of(request, key, usual), 2.0, 256.0));
@@ -107,6 +108,13 @@ base::Result<scene::HeightGrid> grid_of(const Workbench& workbench, const Json& 
   const auto function = scene::height_function(name);
   if (!function) return base::bad_input(fmt::format("{}: no function of that name, expected one of {}", name, scene::height_function_names()));
   return scene::sample(*function, wanted);
+}
+
+base::Result<scene::HeightGrid> grid_of(const Workbench& workbench, const Json& request) {
+  auto grid = known_heights(workbench, request);
+  const auto parts = static_cast<std::size_t>(std::clamp(number_of(request, "subdivide", 1), 1.0, 64.0));
+  if (!grid || parts == 1) return grid;
+  return scene::subdivided(*grid, parts);
 }
 
 skala::View view_of(const Json& request) {
@@ -134,7 +142,7 @@ Json make_skala(Workbench& workbench, const Json& request) {
   const auto grid = grid_of(workbench, request);
   if (!grid) return error_answer(grid.error().message());
   const skala::Device device = device_of(request);
-  const skala::Program& program = skala::resident_program();
+  const skala::Program& program = skala::resident_program(!flag_of(request, "temporary_masks", true));
   workbench.put_file(".skala.stream", skala::stream_of(*grid, view_of(request), {device}));
   workbench.put_file(".skala.bin", program.memory);
   Json options{{"--load", Json::array({".skala.bin"})}, {"--parallel", ".skala.stream"}, {"--start", fmt::format("{:04X}", program.labels.start)}};

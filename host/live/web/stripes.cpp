@@ -23,12 +23,13 @@ Json make_stripes(Workbench& workbench, const Json& request) {
   const bool plotter = text_of(request, "device") == "calcomp";
   stripes::StreamOptions options;
   options.output = plotter ? stripes::Output::vector : stripes::Output::raster;
+  if (!plotter && flag_of(request, "antialias")) options.build = stripes::Build::coverage;
   if (flag_of(request, "priority_by_host")) options.priority = stripes::Computer::host;
   const auto scene = stripes::project_scene(loaded->scene, stripes::view_of(loaded->scene, *camera), options.priority == stripes::Computer::host);
   if (!scene) return error_answer(scene.error().message());
   const auto stream = stripes::encode(*scene, options);
   if (!stream) return error_answer(stream.error().message());
-  const stripes::Program& program = stripes::resident_program();
+  const stripes::Program& program = stripes::resident_program(options.build);
   workbench.put_file(".stripes.stream", stream->bytes);
   workbench.put_file(".stripes.bin", program.memory);
   Json made = workbench.answer(Json{{"do", "make"},

@@ -4,8 +4,8 @@
 
 namespace sightline::programs::skala {
 
-Program assemble_program() {
-  const machines::I8080Program assembled(embedded_sources(), "skala.asm", "the Skala program");
+Program assemble_program(bool direct_masks) {
+  const machines::I8080Program assembled(embedded_sources(), direct_masks ? "direct.asm" : "skala.asm", "the Skala program");
   Labels labels;
   labels.start = assembled.at("START");
   labels.status = assembled.at("STATUS");
@@ -15,10 +15,14 @@ Program assemble_program() {
   labels.mask_bottom = assembled.at("MB");
   labels.previous_row = assembled.at("MP");
   labels.previous_level = assembled.at("IP");
-  return {assembled.memory(), labels};
+  return {assembled.memory(), labels, direct_masks};
 }
 
-const Program& resident_program() {
+const Program& resident_program(bool direct_masks) {
+  if (direct_masks) {
+    static const Program direct = assemble_program(true);
+    return direct;
+  }
   static const Program program = assemble_program();
   return program;
 }

@@ -33,11 +33,13 @@ struct Labels {
 struct Program {
   std::vector<std::uint8_t> memory;  // from 0000 on: instructions, tables, variables
   Labels labels;
+  bool direct_masks = false;
 };
 
 // Assembles the embedded program. It is part of this build: an error ends the process with the assembler's messages.
-[[nodiscard]] Program assemble_program();
+// `direct_masks`: the build without the temporary masks M1T and M1B (SPECIFICATION, section 10).
+[[nodiscard]] Program assemble_program(bool direct_masks = false);
 // The same, assembled on the first call.
-[[nodiscard]] const Program& resident_program();
+[[nodiscard]] const Program& resident_program(bool direct_masks = false);
 
 }  // namespace sightline::programs::skala

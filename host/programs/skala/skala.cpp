@@ -41,7 +41,7 @@ base::Result<Outcome> run(const Program& program, std::span<const std::uint8_t> 
   const MachinePicture& picture = outcome.picture;
   if (const std::string failure = failure_of(picture, options.clock); !failure.empty()) return base::program_failed(failure);
   if (check) {
-    Equipment equipment{{}};
+    Equipment equipment{{}, program.direct_masks};
     equipment.present[static_cast<std::size_t>(options.device)] = true;
     const TwinPicture twin = run_twin(stream, equipment);
     const std::string difference = difference_from_twin(picture, twin, options.device);
@@ -54,6 +54,15 @@ base::Result<Outcome> run(const Program& program, std::span<const std::uint8_t> 
   outcome.points_lit = points_lit(picture);
   outcome.plotter = plotter_work(picture.moves);
   return outcome;
+}
+
+WrongDots wrong_dots_of(const core::Raster& drawn, const core::Raster& right) {
+  WrongDots wrong;
+  for (std::size_t i = 0; i < drawn.points().size(); ++i) {
+    if (drawn.points()[i] == right.points()[i]) continue;
+    ++(drawn.points()[i] == 0 ? wrong.missing : wrong.extra);
+  }
+  return wrong;
 }
 
 }  // namespace
@@ -69,11 +78,19 @@ base::Result<Outcome> run(const Order& order) {
   options.device = order.device;
   options.link = order.link;
   options.clock = order.clock;
-  auto outcome = run(resident_program(), stream_of(order.grid, order.view, {order.device}), options, order.check);
-  if (!outcome || !order.view.visibility || !order.time_plain) return outcome;
+  const Program& program = resident_program(order.direct_masks);
+  const auto stream = stream_of(order.grid, order.view, {order.device});
+  auto outcome = run(program, stream, options, order.check);
+  if (!outcome) return outcome;
+  if (order.direct_masks && (order.device == Device::ef9365 || order.device == Device::alt256)) {
+    const auto right = run(resident_program(), stream, options, order.check);
+    if (!right) return right.error();
+    outcome->wrong_dots = wrong_dots_of(outcome->picture.raster, right->picture.raster);
+  }
+  if (!order.view.visibility || !order.time_plain) return outcome;
   View plain_view = order.view;
   plain_view.visibility = false;
-  const auto plain = run(resident_program(), stream_of(order.grid, plain_view, {order.device}), options, order.check);
+  const auto plain = run(program, stream_of(order.grid, plain_view, {order.device}), options, order.check);
   if (!plain) return plain.error();
   outcome->plain_drawing = plain->picture.drawing;
   return outcome;

@@ -24,6 +24,13 @@ struct Order {
   core::ClockRate clock{};
   bool time_plain = false;  // also run without the visibility test, if the view has it
   bool check = false;       // compare the picture with that of the native twin
+  bool direct_masks = false;  // without the temporary masks M1T and M1B; on a raster board the wrong dots are counted
+};
+
+// Dots of a picture without the temporary masks that differ from those of the right one.
+struct WrongDots {
+  std::uint64_t missing = 0;
+  std::uint64_t extra = 0;  // also with a wrong colour
 };
 
 struct Outcome {
@@ -34,6 +41,7 @@ struct Outcome {
   PlotterWork plotter;                       // empty for a raster board
   std::optional<core::TStates> plain_drawing;  // drawing time without the visibility test
   std::optional<Counts> counts;                // the twin's counts, if the order is checked
+  std::optional<WrongDots> wrong_dots;         // of direct masks on a raster board
 
   // How much the visibility test lengthens drawing, in per cent; negative if it shortens it. nullopt if that was not
   // ordered, or nothing is drawn.

@@ -245,7 +245,7 @@ MachinePicture run_machine(const Program& program, std::span<const std::uint8_t>
   i8080::Limits limits;
   limits.until = core::at_t_state(options.t_state_limit > 0 ? options.t_state_limit : limit_for(options));
   std::optional<ColourFront> colour_front;
-  if (options.device == Device::ef9365) colour_front.emplace(machine, program.labels);
+  if (options.device == Device::ef9365 && program.build == Build::plain) colour_front.emplace(machine, program.labels);
   WorkObserver work(machine, program.labels, stream.size() >= header_bytes ? stream[header_bytes - 1] : 0U,
                     options.device == Device::calcomp);
   i8080::StopReason reason = i8080::StopReason::device;
@@ -261,6 +261,8 @@ MachinePicture run_machine(const Program& program, std::span<const std::uint8_t>
   if (const auto* const board = machine.find<devices::Ef9365>(); board != nullptr) {
     picture.raster = *board->raster();
     end = std::max(end, board->busy_until());
+    picture.board_commands = board->totals().commands;
+    picture.dots_written = board->totals().dots;
     add_faults(board->totals(), picture);
   }
   if (const auto* const plotter = machine.find<devices::CalComp565>(); plotter != nullptr) {
@@ -271,8 +273,8 @@ MachinePicture run_machine(const Program& program, std::span<const std::uint8_t>
   if (plotter_front) picture.commands = std::move(plotter_front->commands);
   picture.counts = work.counts();
   picture.counts.links = links_of(picture.commands);
-  if (colour_front) {
-    colour_front->add_to(picture.counts);
+  if (colour_front) colour_front->add_to(picture.counts);
+  if (options.device == Device::ef9365) {
     const auto dots = picture.raster.points();
     picture.counts.dots = static_cast<std::uint32_t>(std::count_if(dots.begin(), dots.end(), [](std::uint8_t level) { return level != 0; }));
   }

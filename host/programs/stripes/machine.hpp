@@ -41,6 +41,8 @@ struct MachinePicture {
   core::TStates ranking{};             // check of the records and priority list
   core::TStates drawing{};             // to the halt, or until the device is done
   core::TStates device{};              // of the plotter: its busy times
+  std::uint64_t board_commands = 0;    // to the board
+  std::uint64_t dots_written = 0;      // by the board, also again
   std::uint64_t instructions = 0;
   Counts counts;
   std::vector<DeviceFault> faults;  // counts above 0 only

@@ -1,13 +1,28 @@
 #include "host/programs/stripes/program.hpp"
 
+#include <string>
 #include <utility>
 
 #include "host/machines/i8080_program.hpp"
 
 namespace sightline::programs::stripes {
 
-Program assemble_program() {
-  const machines::I8080Program assembled(embedded_sources(), "stripes.asm", "the stripes program");
+namespace {
+
+// The main source of each build.
+std::string_view source_of(Build build) {
+  switch (build) {
+    case Build::plain: return "stripes.asm";
+    case Build::coverage: return "coverage.asm";
+    case Build::overwrite: return "overwrite.asm";
+  }
+  return {};
+}
+
+}  // namespace
+
+Program assemble_program(Build build) {
+  const machines::I8080Program assembled(embedded_sources(), std::string(source_of(build)), "the stripes program");
   const auto at = [&assembled](std::string_view label) { return assembled.at(label); };
   std::vector<std::uint8_t> memory = assembled.memory();
   if (memory.size() > program_room) base::give_up("the stripes program overlaps its data");
@@ -28,10 +43,18 @@ Program assemble_program() {
   labels.face_line = at("FPTR");
   labels.shadow_line = at("SPTR");
   labels.difference = at("VTOP");
-  return {std::move(memory), labels};
+  return {std::move(memory), labels, build};
 }
 
-const Program& resident_program() {
+const Program& resident_program(Build build) {
+  if (build == Build::coverage) {
+    static const Program program = assemble_program(Build::coverage);
+    return program;
+  }
+  if (build == Build::overwrite) {
+    static const Program program = assemble_program(Build::overwrite);
+    return program;
+  }
   static const Program program = assemble_program();
   return program;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "emulators/i8080/state.hpp"
+#include "host/programs/stripes/status.hpp"
 
 namespace sightline::programs::stripes {
 
@@ -47,15 +48,16 @@ struct Labels {
 struct Program {
   std::vector<std::uint8_t> memory;  // from 0000 on: instructions, tables, variables
   Labels labels;
+  Build build = Build::plain;
 };
 
 // Size of the area for the program, and for all its data (SPECIFICATION, section 7).
 inline constexpr std::size_t program_room = 0x1000;
 inline constexpr std::size_t data_room = 0xC000;
 
-// Assembles the embedded program. It is part of this build: an error ends the process with the assembler's messages.
-[[nodiscard]] Program assemble_program();
+// Assembles the embedded program. It is part of this executable: an error ends the process with the assembler's messages.
+[[nodiscard]] Program assemble_program(Build build = Build::plain);
 // The same, assembled on the first call.
-[[nodiscard]] const Program& resident_program();
+[[nodiscard]] const Program& resident_program(Build build = Build::plain);
 
 }  // namespace sightline::programs::stripes

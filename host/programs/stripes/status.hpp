@@ -47,6 +47,17 @@ inline constexpr std::size_t most_face_toggles = 15;  // in a line
 inline constexpr std::size_t most_silhouette_toggles = 31;
 inline constexpr std::size_t most_seen_toggles = 15;  // vector output
 
+// The builds of the program (SPECIFICATION, sections 8 and 9).
+enum class Build : std::uint8_t { plain, coverage, overwrite };
+
+inline constexpr std::size_t most_coverage_body_bytes = 0x2800;
+inline constexpr std::size_t most_face_changes = 23;  // columns in a line of a face in which layers change
+inline constexpr std::size_t most_silhouette_changes = 31;
+
+[[nodiscard]] constexpr std::size_t most_body_bytes_of(Build build) {
+  return build == Build::coverage ? most_coverage_body_bytes : most_body_bytes;
+}
+
 // Bits of the mode.
 inline constexpr std::uint8_t vector_output = 1;
 inline constexpr std::uint8_t find_priority = 2;

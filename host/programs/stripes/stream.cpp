@@ -68,6 +68,11 @@ std::vector<std::uint8_t> framed(std::uint8_t mode, std::size_t faces, const std
 }
 
 base::Result<Stream> encode(const ProjectedScene& scene, const StreamOptions& options) {
+  if (options.build != Build::plain && options.output == Output::vector)
+    return base::usage_error(options.build == Build::coverage ? "the plotter has no greys for antialiasing"
+                                                              : "nothing can be overwritten on the plotter");
+  if (options.build == Build::coverage && options.stripes == Computer::host)
+    return base::usage_error("antialiasing needs the sides of the faces, which the host's stripes do not have");
   if (scene.faces.size() > most_faces)
     return base::Error{"", "faces", fmt::format("{} faces are turned to the eye, {} too many", scene.faces.size(),
                                                 scene.faces.size() - most_faces),
@@ -96,11 +101,12 @@ base::Result<Stream> encode(const ProjectedScene& scene, const StreamOptions& op
     body[begin] = static_cast<std::uint8_t>(length);
     body[begin + 1] = static_cast<std::uint8_t>(length >> 8U);
   }
-  if (body.size() > most_body_bytes)
+  const std::size_t room = most_body_bytes_of(options.build);
+  if (body.size() > room)
     return base::Error{"", "scene",
                        fmt::format("{} bytes ({} of stripes, {} of polygons, 3 a face), {} too many", body.size(),
-                                   stream.stripe_bytes, stream.polygon_bytes, body.size() - most_body_bytes),
-                       fmt::format("at most {} in the 8080's memory", most_body_bytes),
+                                   stream.stripe_bytes, stream.polygon_bytes, body.size() - room),
+                       fmt::format("at most {} in the 8080's memory", room),
                        stripes ? "let the 8080 make the stripes" : ""};
   std::uint8_t mode = 0;
   if (options.output == Output::vector) mode |= vector_output;

@@ -18,6 +18,7 @@ struct StreamOptions {
   Output output = Output::raster;
   Computer stripes = Computer::i8080;   // which one cuts polygons into stripes
   Computer priority = Computer::i8080;  // which one finds the priority list
+  Build build = Build::plain;           // coverage and overwrite: raster output; coverage: the 8080 makes the stripes
 };
 
 struct Stream {

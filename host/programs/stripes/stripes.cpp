@@ -15,7 +15,7 @@ namespace sightline::programs::stripes {
 namespace {
 
 // Describes what did not fit, from the twin, which has stopped with status full.
-base::Error too_full(const TwinPicture& twin, const ProjectedScene& scene) {
+base::Error too_full(const TwinPicture& twin, const ProjectedScene& scene, Build build) {
   const SceneFace& face = scene.faces[twin.fault];
   const std::string place = fmt::format("face {} of body {}", face.index, face.body);
   const auto too_many = [&](std::string_view what, std::size_t count, std::size_t most) {
@@ -23,6 +23,13 @@ base::Error too_full(const TwinPicture& twin, const ProjectedScene& scene) {
                        fmt::format("at most {} for the 8080", most)};
   };
   const Counts& counts = twin.counts;
+  if (build == Build::coverage && counts.silhouette_most > most_silhouette_changes)
+    return base::Error{"", place, fmt::format("{} columns in a line where the coverage changes, {} too many", counts.silhouette_most,
+                                              counts.silhouette_most - most_silhouette_changes),
+                       fmt::format("at most {} for the 8080", most_silhouette_changes)};
+  if (build == Build::coverage && twin.cuts.size() < most_cuts)
+    return base::Error{"", place, "too many columns in a line where the coverage changes",
+                       fmt::format("at most {} for the 8080", most_face_changes)};
   if (counts.silhouette_most > most_silhouette_toggles)
     return too_many("a silhouette", counts.silhouette_most, most_silhouette_toggles);
   if (twin.seen_most > most_seen_toggles) return too_many("what is seen", twin.seen_most, most_seen_toggles);
@@ -41,6 +48,8 @@ picture::PixelGrid faces_of(const TwinPicture& twin, const ProjectedScene& scene
 
 }  // namespace
 
+base::Result<Outcome> run(const Order& order) { return run(order, resident_program(order.options.build)); }
+
 base::Result<Outcome> run(const Order& order, const Program& program) {
   auto projected = project_scene(order.scene, order.view, order.options.priority == Computer::host);
   if (!projected) return projected.error();
@@ -54,11 +63,11 @@ base::Result<Outcome> run(const Order& order, const Program& program) {
   if (!picture.ended) return base::program_failed("the program on the 8080 did not end");
   const bool full = picture.status == Status::full;
   if (order.check || full) {
-    const TwinPicture twin = run_twin(outcome.stream.bytes);
+    const TwinPicture twin = run_twin(outcome.stream.bytes, order.options.build);
     if (const std::string difference = difference_from_twin(picture, twin); !difference.empty())
       return base::difference("internal error: the picture on the 8080 is not the one its native twin computes: " + difference);
-    if (full) return too_full(twin, outcome.scene);
-    outcome.faces = faces_of(twin, outcome.scene);
+    if (full) return too_full(twin, outcome.scene, order.options.build);
+    if (order.options.build != Build::coverage) outcome.faces = faces_of(twin, outcome.scene);
   }
   if (!picture.faults.empty())
     return base::program_failed(fmt::format("{}: {}", picture.faults.front().what, picture.faults.front().count));

@@ -37,7 +37,9 @@ struct Outcome {
 // Errors: those of project_scene and encode; bad_input: the scene does not fit during drawing, with the place and the
 // excess (computed by the twin); program_failed: the program did not end, stopped, or misused a device; differs: its
 // picture is not its twin's, which is a defect of this program.
-[[nodiscard]] base::Result<Outcome> run(const Order& order, const Program& program = resident_program());
+[[nodiscard]] base::Result<Outcome> run(const Order& order);
+// With a program of the build of the order.
+[[nodiscard]] base::Result<Outcome> run(const Order& order, const Program& program);
 
 // The plotter's commands by kind.
 struct PenWork {

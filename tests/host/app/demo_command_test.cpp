@@ -68,8 +68,8 @@ TEST_F(DemoCommand, PrintsTenLinesAndWritesThePageWithItsPictures) {
     EXPECT_GT(entry.file_size(), 300U) << name;
     EXPECT_TRUE(!name.ends_with(".png") || named.contains(name)) << name;
   }
-  // Five scenes in four ways; eight functions in four ways and one plot in three; three scenes in stripes.
-  EXPECT_EQ(pictures, 5 * 4 + 8 * 4 + 3 + 3);
+  // Five scenes in four ways; eight functions in four ways and one plot in three; three scenes in stripes, one also with smooth edges.
+  EXPECT_EQ(pictures, 5 * 4 + 8 * 4 + 3 + 4);
   for (const char* text : {"How fast?", "How wrong?", "Against what?", "jones-pdp7", "corridor32", "boxes-8, parallel", "rosen",
                            "turn-pdp7", "<details>", "nothing wrong", ">near 0 %</text>", ">8 of 8</td>", "prefers-color-scheme: dark", "name=\"viewport\"", "class=\"answer-plot\"",
                            "jones-pdp7 without EAE", "A solid turning on the PDP-7", "between its samples the function is up to"})
@@ -102,7 +102,7 @@ TEST_F(DemoCommand, AsJsonInAFolderOfAnyName) {
   for (const json& turn : document.at("turns")) EXPECT_GT(turn.at("frames_per_second_worst").get<double>(), 15);
   ASSERT_EQ(document.at("skala").size(), 8U);
   for (const json& row : document.at("skala")) EXPECT_GT(row.at("lines").at("t_states").get<std::int64_t>(), 0);
-  ASSERT_EQ(document.at("stripes").size(), 4U);
+  ASSERT_EQ(document.at("stripes").size(), 5U);
   for (const json& row : document.at("stripes")) EXPECT_GT(row.at("drawing_seconds").get<double>(), 0.1);
   EXPECT_GT(document.at("skala_plot").at("seconds").get<double>(), 10.0);
   EXPECT_EQ(document.at("compared").at("agrees"), true);

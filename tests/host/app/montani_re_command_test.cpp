@@ -1,6 +1,9 @@
 // `sightline draw montani-re`: lines, outlines with holes, pixels by stripes, and usage errors.
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 #include "host/picture/png.hpp"
@@ -79,6 +82,26 @@ TEST_F(MontaniReCommand, PixelsByStripes) {
   EXPECT_NE(read("thin.png"), read("thick.png"));
 }
 
+// Colours between those of two faces appear only with antialiasing, and only at edges.
+TEST_F(MontaniReCommand, AntialiasedPixels) {
+  drawn({"boxes-3", "--fill", "--pixels", "90x70", "-o", "hard.png"});
+  drawn({"boxes-3", "--fill", "--antialias", "--pixels", "90x70", "-o", "smooth.png"});
+  const auto hard = sightline::picture::read_png(path("hard.png").string());
+  const auto smooth = sightline::picture::read_png(path("smooth.png").string());
+  ASSERT_TRUE(hard && smooth);
+  const auto colours = [](const sightline::picture::Image& image) {
+    std::set<std::array<std::uint8_t, 3>> all;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 3) all.insert({image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]});
+    return all;
+  };
+  const auto plain = colours(hard->image);
+  EXPECT_LE(plain.size(), 10U);
+  EXPECT_GT(colours(smooth->image).size(), 3 * plain.size());
+  int same = 0;
+  for (std::size_t i = 0; i < hard->image.pixels.size(); ++i) same += hard->image.pixels[i] == smooth->image.pixels[i] ? 1 : 0;
+  EXPECT_GT(same, 90 * 70 * 3 * 8 / 10);
+}
+
 TEST_F(MontaniReCommand, UsageErrors) {
   const auto expect_usage_error = [&](Arguments arguments, std::string_view what) {
     arguments.insert(arguments.begin(), {"draw"});
@@ -92,6 +115,8 @@ TEST_F(MontaniReCommand, UsageErrors) {
                      "--stripe: found without");
   expect_usage_error({"montani-re", "boxes-3", "--fill", "--stripe", "3", "-o", "m.png"}, "--stripe");
   expect_usage_error({"montani-re", "boxes-3", "--stripe", "2", "-o", "m.png"}, "--fill");
+  expect_usage_error({"montani-re", "boxes-3", "--fill", "--antialias", "-o", "m.svg"}, "--antialias: found without");
+  expect_usage_error({"montani-re", "boxes-3", "--antialias", "-o", "m.png"}, "--fill");
   expect_usage_error({"montani-re", "boxes-3", "--fill", "--hidden", "-o", "m.svg"}, "--hidden");
   expect_usage_error({"exact", "boxes-3", "--fill", "-o", "m.svg"}, "--fill");
 }

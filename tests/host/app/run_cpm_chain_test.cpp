@@ -160,6 +160,16 @@ TEST_F(CpmChain, TheLogHasALineForEachCall) {
   EXPECT_EQ(read("log"), "44 0102 1 Console Input DE=0000 A=6B HL=006B\n98 0107 50 unknown DE=0000 A=00 HL=0000\n152 010C 0 System Reset DE=0000 A=00 HL=0000\n");
 }
 
+// Compilers ask now and then whether a key stops them.
+TEST_F(CpmChain, AProgramMayAskForKeysWithoutAConsole) {
+  assemble(
+      "\tORG 100H\n\tMVI C,11\n\tCALL 5\n\tORA A\n\tJNZ 0\n\tMVI C,6\n\tMVI E,0FFH\n\tCALL 5\n\tORA A\n\tJNZ 0\n\tMVI C,6\n\tMVI E,'!'\n\tCALL 5\n\tJMP 0\n",
+      "a/ASK.COM");
+  const Ran ran = chain("ask\n");
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(ran.out, "!");
+}
+
 TEST_F(CpmChain, CommandsThatCannotBe) {
   make_compiler();
   const auto refused = [&](std::string_view commands, std::string_view message, int code = 4) {

@@ -81,6 +81,26 @@ TEST_F(SkalaCommand, JsonFields) {
   for (const json& file : r.at("pictures")) EXPECT_TRUE(exists(file.get<std::string>()));
 }
 
+TEST_F(SkalaCommand, SubdividesCells) {
+  const json coarse = report({"contours", "peaks", "--slices", "9", "--points", "11", "-o", "coarse"});
+  const json fine = report({"contours", "peaks", "--slices", "9", "--points", "11", "--subdivide", "3", "--check", "-o", "fine"});
+  EXPECT_EQ(fine.at("slices"), 25);
+  EXPECT_EQ(fine.at("points"), 31);
+  EXPECT_GT(fine.at("t_states").get<std::int64_t>(), 3 * coarse.at("t_states").get<std::int64_t>());
+  expect_failure({"contours", "peaks", "--subdivide", "1"}, 2, "--subdivide");
+  expect_failure({"contours", "peaks", "--slices", "33", "--points", "33", "--subdivide", "40"}, 4, "at most 1024 by 1024");
+}
+
+TEST_F(SkalaCommand, CountsTheDotsThatTheTemporaryMasksSave) {
+  const json r = report({"lines", "sinc", "--direct-masks", "--check"});
+  EXPECT_EQ(r.at("direct_masks"), true);
+  EXPECT_GT(r.at("wrong_dots").at("missing").get<int>(), 100);
+  EXPECT_EQ(r.at("wrong_dots").at("extra"), 0);
+  EXPECT_TRUE(exists("out/sinc-direct.png"));
+  const Ran ran = sightline({"skala", "surface", "sinc", "--direct-masks"});
+  EXPECT_TRUE(has(ran.out, "wrong dots       ")) << ran.out;
+}
+
 TEST_F(SkalaCommand, TheSameBytesEveryTime) {
   const Ran first = sightline({"skala", "surface", "peaks", "--json"});
   const std::string picture = read("out/peaks.png");

@@ -49,6 +49,24 @@ TEST_F(StripesCommand, WritesJson) {
   EXPECT_EQ(pairs, 45);
 }
 
+TEST_F(StripesCommand, AntialiasesAndOverwrites) {
+  for (const char* option : {"--antialias", "--overwrite"}) {
+    const Ran ran = sightline({"stripes", "roberts", option, "--check", "--json", "-o", "p"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    const json document = json::parse(ran.out);
+    EXPECT_EQ(document.at(std::string(option).substr(2)), true);
+    EXPECT_LE(document.at("program_bytes").get<int>(), 4096);
+    EXPECT_TRUE(exists("p/roberts-stripes-" + std::string(option).substr(2) + ".png"));
+    const Ran plotter = sightline({"stripes", "roberts", option, "--device", "calcomp"});
+    EXPECT_EQ(plotter.exit_code, 2);
+    EXPECT_TRUE(has(plotter.err, std::string(option) + ": found with --device calcomp, expected the raster board")) << plotter.err;
+  }
+  const Ran host = sightline({"stripes", "roberts", "--antialias", "--stripes", "host"});
+  EXPECT_EQ(host.exit_code, 2);
+  EXPECT_TRUE(has(host.err, "--antialias: found with --stripes host")) << host.err;
+  EXPECT_EQ(sightline({"stripes", "roberts", "--antialias", "--overwrite"}).exit_code, 2);
+}
+
 TEST_F(StripesCommand, ReportsScenesThatDoNotFit) {
   const Ran ran = sightline({"stripes", "boxes-30"});
   EXPECT_EQ(ran.exit_code, 4);

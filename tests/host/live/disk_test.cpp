@@ -174,9 +174,9 @@ TEST_F(Disk, ATransferContinuesFromASnapshot) {
 // A snapshot holds what its run has written: the image may be the one before that run, or the one that it has written back, but
 // no sector that the run has not written may be another.
 TEST_F(Disk, ASnapshotTakesTheImageThatItsRunHasWrittenBack) {
-  // Writes a sector again and again, each time with a word that is one more.
+  // Writes words 0 to 77 of core on the first sector again and again; word 20 counts.
   write("writes.s",
-        "100/\nbegin, isz 3000\n  707141\n  lac (777700\n  707124\n  cla\n  707142\n  707104\n  lac (3000\n  707144\n  707121\n"
+        "100/\nbegin, isz 20\n  707141\n  lac (777700\n  707124\n  cla\n  707142\n  707104\n  lac (3000\n  707144\n  707121\n"
         "  jmp .-1\n  jmp begin\n  start begin\n");
   ASSERT_EQ(sightline({"asm", "pdp7", "writes.s", "-o", "writes.rim"}).exit_code, 0);
   const Ran first = sightline({"run", "pdp7", "writes.rim", "--disk", "disk", "--max-time", "0.3", "--save", "s"});

@@ -49,7 +49,7 @@ TEST(StateMembers, AreVisited) {
   expect_size<i8080::State>(16, "i8080::State");
   expect_size<devices::Alt256>(65600, "devices::Alt256");
   expect_size<devices::Alt256Counts>(32, "devices::Alt256Counts");
-  expect_size<devices::AltairSerial>(152, "devices::AltairSerial");
+  expect_size<devices::AltairSerial>(240, "devices::AltairSerial");
   expect_size<devices::AltairSerialCounts>(24, "devices::AltairSerialCounts");
   expect_size<devices::CalComp565>(136, "devices::CalComp565");
   expect_size<devices::CalComp565Counts>(72, "devices::CalComp565Counts");
@@ -67,8 +67,10 @@ TEST(StateMembers, AreVisited) {
   expect_size<devices::I8251Counts>(64, "devices::I8251Counts");
   expect_size<devices::SerialLink>(328, "devices::SerialLink");
   expect_size<i8080::UnansweredPort>(16, "i8080::UnansweredPort");
+  expect_size<i8080::UndefinedOpcode>(16, "i8080::UndefinedOpcode");
+  expect_size<i8080::UndefinedOpcodes>(32, "i8080::UndefinedOpcodes");
   expect_size<i8080::PinLatches>(9, "i8080::PinLatches");
-  expect_size<i8080::MachineParts>(96520, "i8080::MachineParts");
+  expect_size<i8080::MachineParts>(96552, "i8080::MachineParts");
   expect_size<PenMove>(32, "PenMove");
 }
 #endif

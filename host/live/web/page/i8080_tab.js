@@ -19,7 +19,7 @@ export class I8080Tab {
     this.functions = functions;
     this.remember = remember;
     this.options = {program: 'skala', scene: 'boxes-5', function: functions[0]?.name ?? 'sinc', text: '', picture: 'lines', device: 'ef9365', rotation: 30, elevation: 30, zoom: 1,
-      points: 33, slices: 33, levels: 8, visibility: true, speed: 1};
+      points: 33, slices: 33, levels: 8, subdivide: 1, visibility: true, masks: true, antialias: false, speed: 1};
     this.flight = new Flight(module, () => this.restart());
     this.own = new Set();  // grids and scenes that are files of the user
     this.id = 0;
@@ -62,7 +62,10 @@ export class I8080Tab {
           field('Points along x', o.points, number('points'), {type: 'number', min: 2, max: 128}, 'Points of the grid in each slice; more are finer and slower'),
           field('Slices', o.slices, number('slices'), {type: 'number', min: 2, max: 128}, 'Rows of the grid, from the foreground to the background'),
           field('Contour levels', o.levels, number('levels'), {type: 'number', min: 1, max: 60}, 'Number of heights in a picture of contours'),
-          check('Hidden lines removed', o.visibility, again('visibility'), 'If not set, all lines are drawn completely')],
+          field('Cells cut in', o.subdivide, number('subdivide'), {type: 'number', min: 1, max: 16}, 'Cells along a side of each cell of the grid, on smooth curves: for smooth contours'),
+          check('Hidden lines removed', o.visibility, again('visibility'), 'If not set, all lines are drawn completely'),
+          check('Temporary masks', o.masks, again('masks'), "If not set, the program leaves out Skala's masks M1T and M1B: lines that fall lose dots")],
+          ...this.ofStripes = [check('Smooth edges', o.antialias, again('antialias'), 'On the raster board: dots at edges have the mixed grey of the faces in them')],
           choice('Speed', [[1, 'real time, 3 MHz'], [10, '10 times'], [100, '100 times'], [0, 'as fast as possible'], [0.05, 'a twentieth']], o.speed, value => { o.speed = Number(value); }, 'How fast the machine runs, compared with an 8080 at 3 MHz')),
         this.cost8080 = fold('What visibility costs', element('p', {}, button('Measure', () => this.cost(), 'Draw the picture with and without its hidden lines, and compare the times')), this.costs = element('p', {role: 'status'})),
         fold('State', this.facts,
@@ -118,6 +121,7 @@ export class I8080Tab {
     const {program} = this.options;
     const skala = program === 'skala';
     for (const each of [this.pick, this.kind, this.cost8080, ...this.ofSkala]) each.hidden = !skala;
+    for (const each of this.ofStripes) each.hidden = program !== 'stripes';
     this.words.hidden = !skala || this.options.function !== '';
     this.scene.hidden = program !== 'stripes';
     for (const each of [this.flight.scene, ...this.flight.controls]) each.hidden = !this.flies;
@@ -134,8 +138,8 @@ export class I8080Tab {
   // `name`: of a function or a file; empty: the expression. Throws if the expression is wrong.
   request(what, name = this.options.function) {
     const o = this.options;
-    if (what === 'stripes') return {do: what, scene: o.scene, device: o.device, camera: camera(o.rotation, Math.max(0, Math.min(80, o.elevation)))};
-    const request = {do: what, picture: o.picture, device: o.device, rotation: o.rotation, elevation: o.elevation, zoom: o.zoom, levels: o.levels, visibility: o.visibility};
+    if (what === 'stripes') return {do: what, scene: o.scene, device: o.device, antialias: o.antialias, camera: camera(o.rotation, Math.max(0, Math.min(80, o.elevation)))};
+    const request = {do: what, picture: o.picture, device: o.device, rotation: o.rotation, elevation: o.elevation, zoom: o.zoom, levels: o.levels, visibility: o.visibility, subdivide: o.subdivide, temporary_masks: o.masks};
     if (name !== '') return {...request, function: name, points: o.points, slices: o.slices};
     return {...request, function: o.text, expression: o.text, domain: DOMAIN, points: Math.min(128, o.points), slices: Math.min(128, o.slices)};
   }

@@ -17,7 +17,7 @@ namespace {
 TwinDrawing::TwinDrawing(TwinPicture& picture, const Equipment& equipment)
     : picture_(picture),
       equipment_(equipment),
-      masks_(picture.columns),
+      masks_(picture.columns, equipment.direct_masks),
       pen_(picture.moves, picture.counts) {}
 
 bool TwinDrawing::obey(const ReceivedCommand& received) {

@@ -25,6 +25,10 @@ bool Masks::outside_with_slack(Point point) const {
 }
 
 FoldLines Masks::touch(Point point) {
+  if (direct_) {
+    pending_ = Pending{point.x, point.y, point.y};
+    return fold();
+  }
   if (pending_ && pending_->x == point.x) {
     pending_->low = std::min(pending_->low, point.y);
     pending_->high = std::max(pending_->high, point.y);

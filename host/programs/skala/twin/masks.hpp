@@ -97,7 +97,8 @@ struct FoldLines {
 class Masks {
  public:
   // Works on the masks and fold flags in `columns`, which must outlive it.
-  explicit Masks(Columns& columns) : columns_(columns) { reset(); }
+  // `direct`: each point changes the masks at once (section 10).
+  Masks(Columns& columns, bool direct) : columns_(columns), direct_(direct) { reset(); }
 
   void reset();
 
@@ -131,6 +132,7 @@ class Masks {
   [[nodiscard]] std::vector<std::uint8_t> visited_neighbours(std::uint8_t x) const;
 
   Columns& columns_;
+  bool direct_;
   std::optional<Pending> pending_;
 };
 

@@ -37,6 +37,7 @@ struct TwinPicture {
 
 struct Equipment {
   std::array<bool, 4> present{true, true, true, true};  // by Device; the Minigraf always counts as present
+  bool direct_masks = false;                            // the build without M1T and M1B (SPECIFICATION, section 10)
 };
 
 // The result after the program has received all bytes of `stream` that it ever will. A stream without END ends with status

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <numeric>
 #include <optional>
 
@@ -166,17 +167,27 @@ struct Scene {
   std::vector<Face> faces;
 };
 
-Scene read_scene(std::span<const std::uint8_t> stream) {
+// The bits of the mode that a build does not accept.
+std::uint8_t refused_modes(Build build) {
+  switch (build) {
+    case Build::plain: return 0;
+    case Build::coverage: return vector_output | faces_are_stripes;
+    case Build::overwrite: return vector_output;
+  }
+  return 0;
+}
+
+Scene read_scene(std::span<const std::uint8_t> stream, Build build) {
   const auto byte = [stream](std::size_t at) {
     if (at >= stream.size()) throw Stop{Status::link_silent};
     return stream[at];
   };
   if (byte(0) != first_byte || byte(1) != version) throw Stop{Status::not_a_stream};
   const std::size_t length = byte(2) + std::size_t{byte(3)} * 256;
-  if (length > most_body_bytes) throw Stop{Status::too_large};
+  if (length > most_body_bytes_of(build)) throw Stop{Status::too_large};
   Scene scene;
   scene.mode = byte(4);
-  if (scene.mode > 7) throw Stop{Status::not_a_stream};
+  if (scene.mode > 7 || (scene.mode & refused_modes(build)) != 0) throw Stop{Status::not_a_stream};
   const std::size_t count = byte(5);
   if (count > most_faces) throw Stop{Status::too_large};
   const std::size_t end = header_bytes + length;
@@ -453,12 +464,18 @@ class Pen {
 
 class Drawing {
  public:
-  Drawing(const Scene& scene, TwinPicture& picture)
-      : scene_(scene), picture_(picture), silhouette_(static_cast<std::size_t>(columns)), pen_(picture) {}
+  // `overwrite`: section 9.
+  Drawing(const Scene& scene, TwinPicture& picture, bool overwrite)
+      : scene_(scene), picture_(picture), overwrite_(overwrite), silhouette_(static_cast<std::size_t>(columns)), pen_(picture) {}
 
   void run(Work& work) {
-    for (const std::uint8_t f : picture_.order) draw(work, f);
+    std::vector<std::uint8_t> order = picture_.order;
+    if (overwrite_) std::reverse(order.begin(), order.end());
+    for (const std::uint8_t f : order) draw(work, f);
     pen_.lift();
+    if (overwrite_)
+      picture_.counts.dots = static_cast<std::uint32_t>(
+          std::count_if(picture_.items.begin(), picture_.items.end(), [](std::uint8_t item) { return item != 0; }));
   }
 
  private:
@@ -481,6 +498,10 @@ class Drawing {
       Toggles& line = seen.lines[k];
       Toggles& shadow = silhouette_[static_cast<std::size_t>(seen.low) + k];
       most(picture_.counts.face_most, line.size());
+      if (overwrite_) {
+        fill(line, seen.low + static_cast<int>(k), f);
+        continue;
+      }
       const Toggles face = line;
       line = subtract(face, shadow);
       shadow = unite(shadow, face);
@@ -554,17 +575,155 @@ class Drawing {
 
   const Scene& scene_;
   TwinPicture& picture_;
+  bool overwrite_;
   std::vector<Toggles> silhouette_;
   Pen pen_;
 };
 
+// --- Section 8
+
+constexpr int all_layers = 15;
+
+// The columns of a line in which layers change, each with the set of these layers.
+using Changes = std::map<int, int>;
+
+struct LayeredStripes {
+  int low = 0;
+  std::vector<Changes> lines;
+};
+
+// The layers of each column.
+std::array<int, columns> layers_of(const Changes& changes) {
+  std::array<int, columns> layers{};
+  int now = 0;
+  auto change = changes.begin();
+  for (int x = 0; x < columns; ++x) {
+    if (change != changes.end() && change->first == x) now ^= (change++)->second;
+    layers[static_cast<std::size_t>(x)] = now;
+  }
+  return layers;
+}
+
+class CoverageDrawing {
+ public:
+  CoverageDrawing(const Scene& scene, TwinPicture& picture) : scene_(scene), picture_(picture) {}
+
+  void run() {
+    for (const std::uint8_t f : picture_.order) draw(f);
+    for (int y = 0; y < columns; ++y)
+      for (int x = 0; x < columns; ++x)
+        if (const Dot& dot = at(x, y); dot.layers != all_layers && dot.sum >= 2) show(x, y, dot.sum);
+  }
+
+ private:
+  struct Dot {
+    int layers = 0;
+    int sum = 0;
+    friend bool operator==(const Dot&, const Dot&) = default;
+  };
+
+  Dot& at(int x, int y) { return dots_[static_cast<std::size_t>(y * columns + x)]; }
+  void show(int x, int y, int sum) {
+    picture_.raster.set(static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), static_cast<std::uint8_t>((sum + 2) / 4));
+    ++picture_.counts.dots;
+  }
+
+  [[nodiscard]] LayeredStripes stripes(std::size_t f) const {
+    const Face& face = scene_.faces[f];
+    LayeredStripes made;
+    made.low = face.low_line;
+    made.lines.resize(static_cast<std::size_t>(face.end_line - face.low_line));
+    for (const auto& ring : face.rings)
+      for (std::size_t k = 0; k < ring.size(); ++k) add_edge(made, ring[k], ring[(k + 1) % ring.size()], f);
+    return made;
+  }
+
+  static void add_edge(LayeredStripes& made, Corner low, Corner high, std::size_t f) {
+    if (low.line() == high.line()) return;
+    if (low.line() > high.line()) std::swap(low, high);
+    const std::int64_t lines = high.line() - low.line();
+    const std::int64_t step = std::int64_t{std::abs(high.x - low.x)} * 256 / lines;
+    const std::int64_t sign = high.x >= low.x ? 1 : -1;
+    const std::int64_t part = step / 8;
+    const std::int64_t beta = std::max<std::int64_t>(0x2000, part);
+    const std::int64_t alpha = std::max<std::int64_t>({0x6000, 0x4000 + 2 * part, 3 * part});
+    for (std::int64_t k = 0; k < lines; ++k) {
+      const std::int64_t middle = std::int64_t{low.x} * 256 + sign * (step / 2 + k * step) + 0x7FFF;
+      Changes sides;
+      int layer = 1;
+      for (const std::int64_t distance : {-alpha, -beta, beta, alpha}) {
+        sides[static_cast<int>(std::clamp<std::int64_t>(middle + distance, 0, 0xFFFFFF) >> 16)] |= layer;
+        layer *= 2;
+      }
+      Changes& line = made.lines[static_cast<std::size_t>(low.line() + static_cast<int>(k) - made.low)];
+      for (const auto& [column, layers] : sides) {
+        if (column == columns) continue;
+        if ((line[column] ^= layers) == 0) line.erase(column);
+        if (line.size() > most_face_changes) throw Stop{Status::full, f};
+      }
+    }
+  }
+
+  void draw(std::uint8_t f) {
+    LayeredStripes seen = stripes(f);
+    for (const auto& [face, by] : picture_.cuts) {
+      if (face != f) continue;
+      const LayeredStripes other = stripes(by);
+      for (std::size_t k = 0; k < seen.lines.size(); ++k) {
+        const int there = seen.low + static_cast<int>(k) - other.low;
+        if (there < 0 || there >= static_cast<int>(other.lines.size())) continue;
+        cut(seen.lines[k], other.lines[static_cast<std::size_t>(there)], f);
+      }
+    }
+    for (std::size_t k = 0; k < seen.lines.size(); ++k) add_line(layers_of(seen.lines[k]), seen.low + static_cast<int>(k), f);
+  }
+
+  static void cut(Changes& line, const Changes& other, std::uint8_t f) {
+    const auto mine = layers_of(line);
+    const auto others = layers_of(other);
+    line.clear();
+    int before = 0;
+    for (int x = 0; x < columns; ++x) {
+      const auto i = static_cast<std::size_t>(x);
+      const int left = mine[i] & ~others[i];
+      if (left != before) line[x] = left ^ before;
+      before = left;
+    }
+    if (line.size() > most_face_changes) throw Stop{Status::full, f};
+  }
+
+  void add_line(const std::array<int, columns>& layers, int y, std::uint8_t f) {
+    std::size_t changes = 0;
+    Dot before;
+    for (int x = 0; x < columns; ++x) {
+      Dot& dot = at(x, y);
+      for (int layer = 1; layer < all_layers; layer *= 2)
+        if ((layers[static_cast<std::size_t>(x)] & ~dot.layers & layer) != 0) dot.sum += scene_.faces[f].level;
+      const int covered = dot.layers;
+      dot.layers |= layers[static_cast<std::size_t>(x)];
+      if (dot.layers == all_layers && covered != all_layers) {
+        show(x, y, dot.sum);
+        dot.sum = 0;
+      }
+      if (!(dot == before)) ++changes;
+      before = dot;
+    }
+    picture_.counts.silhouette_most = std::max(picture_.counts.silhouette_most, static_cast<std::uint32_t>(changes));
+    if (changes > most_silhouette_changes) throw Stop{Status::full, f};
+  }
+
+  const Scene& scene_;
+  TwinPicture& picture_;
+  std::vector<Dot> dots_ = std::vector<Dot>(static_cast<std::size_t>(columns) * columns);
+};
+
 }  // namespace
 
-TwinPicture run_twin(std::span<const std::uint8_t> stream) {
+TwinPicture run_twin(std::span<const std::uint8_t> stream, Build build) {
   TwinPicture picture;
   picture.items.resize(static_cast<std::size_t>(columns) * columns);
   try {
-    const Scene scene = read_scene(stream);
+    const Scene scene = read_scene(stream, build);
     Work work(scene, picture);
     if ((scene.mode & find_priority) != 0) {
       work.rank();
@@ -572,7 +731,10 @@ TwinPicture run_twin(std::span<const std::uint8_t> stream) {
       picture.order.resize(scene.faces.size());
       std::iota(picture.order.begin(), picture.order.end(), std::uint8_t{0});
     }
-    Drawing(scene, picture).run(work);
+    if (build == Build::coverage)
+      CoverageDrawing(scene, picture).run();
+    else
+      Drawing(scene, picture, build == Build::overwrite).run(work);
     picture.status = Status::complete;
   } catch (const Stop& stop) {
     picture.status = stop.status;

@@ -21,12 +21,12 @@ struct TwinPicture {
   std::vector<std::uint8_t> commands;  // to the plotter, in order
   std::vector<std::uint8_t> order;     // the priority list
   std::vector<std::pair<std::uint8_t, std::uint8_t>> cuts;  // face, and the face that cuts it
-  std::vector<std::uint8_t> items;     // picture_size squared, from the lowest line: face + 1, 0 for none
+  std::vector<std::uint8_t> items;     // picture_size squared, from the lowest line: face + 1, 0 for none; not with coverage
   std::uint32_t seen_most = 0;  // toggles in a line of the visible part of a face
   Counts counts;
 };
 
 // Assumes that the device of the stream's mode is present and makes no errors.
-[[nodiscard]] TwinPicture run_twin(std::span<const std::uint8_t> stream);
+[[nodiscard]] TwinPicture run_twin(std::span<const std::uint8_t> stream, Build build = Build::plain);
 
 }  // namespace sightline::programs::stripes

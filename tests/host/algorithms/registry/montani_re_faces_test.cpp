@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -147,6 +148,65 @@ TEST(MontaniReFaces, RejectOtherThicknesses) {
   FaceOptions options;
   options.stripe = 3;
   EXPECT_FALSE(find_face_algorithm("montani-re")->prepare(scene, options));
+}
+
+// Parts of pixels, compared with the faces at 8 by 8 places in each pixel: the picture of eight times the size with stripes of the
+// same height. A row of places is off by at most half the distance of two places for each side that passes: by 1/16, on average by 1/32.
+TEST(MontaniReCoverage, PartsAreTheSharesOfManyPlaces) {
+  constexpr int factor = 8;
+  for (const Setting& setting : settings) {
+    const scene::PolyScene scene = scene_of(setting);
+    for (const double stripe : {1.0, 0.25}) {
+      FaceOptions options;
+      options.stripe = stripe;
+      const auto prepared = find_face_algorithm("montani-re")->prepare(scene, options);
+      ASSERT_TRUE(prepared);
+      std::map<std::array<std::uint32_t, 3>, double> parts;  // row, column, face
+      std::vector<std::int64_t> sums(static_cast<std::size_t>(size) * size);
+      std::int64_t whole = 0;
+      const auto counts = prepared->coverage(scene.camera, window, [&](const FacePart& part) {
+        whole = part.whole;
+        sums[static_cast<std::size_t>(part.row * size + part.column)] += part.part;
+        parts[{static_cast<std::uint32_t>(part.row), static_cast<std::uint32_t>(part.column), part.face}] +=
+            static_cast<double>(part.part) / static_cast<double>(part.whole);
+      });
+      ASSERT_TRUE(counts);
+      options.stripe = factor * stripe;
+      const auto fine = find_face_algorithm("montani-re")->prepare(scene, options);
+      constexpr FaceWindow large{factor * size, factor * size, factor * window.scale, factor * window.left, factor * window.top};
+      const auto places = fine->view(scene.camera, large);
+      ASSERT_TRUE(places);
+      double error = 0;
+      std::size_t shared = 0;
+      for (int row = 0; row < size; ++row) {
+        for (int column = 0; column < size; ++column) {
+          std::map<std::uint32_t, int> shares;
+          for (int y = 0; y < factor; ++y)
+            for (int x = 0; x < factor; ++x) ++shares[places->faces.at(factor * column + x, factor * row + y)];
+          const auto place = std::array{static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(column)};
+          const bool covered = !shares.contains(0);
+          const std::int64_t sum = sums[static_cast<std::size_t>(row * size + column)];
+          if (covered && shares.size() == 1) {
+            // Nothing but a side at the very border of the pixel can take some of it.
+            EXPECT_GE(sum, whole - whole / 4) << setting.family << ", pixel " << column << ", " << row;
+          }
+          EXPECT_LE(sum, whole + whole / 16) << setting.family << ", pixel " << column << ", " << row;
+          if (shares.size() == 1) continue;
+          for (const auto& [face, count] : shares) {
+            if (face == 0) continue;
+            const auto found = parts.find({place[0], place[1], face});
+            const double part = found == parts.end() ? 0 : found->second;
+            const double share = count / static_cast<double>(factor * factor);
+            EXPECT_NEAR(part, share, 0.25) << setting.family << ", pixel " << column << ", " << row << ", face " << face;
+            error += std::abs(part - share);
+            ++shared;
+          }
+        }
+      }
+      EXPECT_GT(shared, 200U) << setting.family;
+      EXPECT_LT(error, static_cast<double>(shared) / 24) << setting.family;
+    }
+  }
 }
 
 }  // namespace

@@ -257,6 +257,13 @@ TEST(I8080Language, ControlLinesOfTheListingAreSkipped) {
   EXPECT_EQ(bytes8080(" IF 0\n$INCLUDE(x)\n ENDIF\n NOP"), Bytes{0});
 }
 
+TEST(I8080Language, EachStatementOfALineHasItsPlaceInTheListing) {
+  const auto assembly = assemble8080("\n MVI A,1 ! MVI B,2\n DB 1,2,3,4,5\n");
+  std::vector<std::pair<std::string, std::size_t>> places;
+  for (const ListingLine& line : assembly.listing) places.emplace_back(line.code, line.line_number);
+  EXPECT_EQ(places, (std::vector<std::pair<std::string, std::size_t>>{{"", 0}, {"3E01", 2}, {"0602", 2}, {"01020304", 3}, {"05", 0}}));
+}
+
 TEST(I8080Language, Listing) {
   const auto assembly =
       assemble8080("TEN EQU 10\n\tORG 100H\nLL:\tDB 1,2,3,4,5,TEN ; six\nM2\tMACRO\n\tNOP\n\tENDM\n\tM2\n");
