@@ -328,6 +328,7 @@ template Option Command::option(const std::string&, double&, std::string_view) c
 template Option Command::option(const std::string&, std::optional<int>&, std::string_view) const;
 template Option Command::option(const std::string&, std::optional<double>&, std::string_view) const;
 template Option Command::option(const std::string&, std::optional<std::size_t>&, std::string_view) const;
+template Option Command::option(const std::string&, std::optional<std::string>&, std::string_view) const;
 template Option Command::option(const std::string&, std::vector<std::string>&, std::string_view) const;
 template Option Command::option(const std::string&, std::vector<int>&, std::string_view) const;
 

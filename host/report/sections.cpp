@@ -8,6 +8,7 @@
 #include "host/report/experiments/jones_accuracy.hpp"
 #include "host/report/experiments/jones_unseen.hpp"
 #include "host/report/experiments/jones_views.hpp"
+#include "host/report/experiments/jones_walk.hpp"
 #include "host/report/experiments/montani_re_8080.hpp"
 #include "host/report/experiments/montani_re_greys.hpp"
 #include "host/report/experiments/montani_re_growth.hpp"
@@ -55,6 +56,7 @@ const std::vector<Experiment>& report_experiments() {
       experiment(&willis_flight),
       experiment(&cross_check),
       experiment(&jones_views),
+      experiment(&jones_walks),
       experiment(&plantinga_accuracy),
       experiment(&plantinga_pdp7),
       experiment(&plantinga_growth, true),
@@ -97,6 +99,7 @@ const std::vector<SectionPlan>& report_sections() {
         chapter("finding-agreement", 0, &finding_agreement)}},
       {"jones", "Jones 1971: cells and portals on a PDP-7", "jones",
        {chapter("jones-timing", 1, &jones_timing),
+        chapter("jones-walking", 1, &jones_walk_chapter),
         chapter("jones-accuracy", 2, &jones_accuracy_chapter),
         chapter("jones-needs", 4, &jones_needs),
         chapter("jones-unseen", 4, &jones_unseen_chapter)}},

@@ -1,16 +1,18 @@
 / Jones's hidden-line program for the PDP-7 and Type 340.   Tape 1: control
 /
-/ Seven tapes, read one after the other, then a scene tape; assembled with
+/ Eight tapes, read one after the other, then a scene tape; assembled with
 / EAE=1 or EAE=0.  What each part computes is in SPECIFICATION.md; which term
 / of the paper is which label here, in NOTES.md.  Two's complement throughout;
 / octal; negate is cma, tad (1.
 /
 / FRACTION is how many fraction bits a coordinate on the screen has, 0 to 3;
 / TRUNCATE=1 cuts quotients and points off where TRUNCATE=0 rounds them.
+/ WALK=1 lets the eye walk from cell to cell (tape 8); its scene tape has the
+/ planes of the cells.
 /
 / Core:  00000-00021 interrupt, clock, auto-index   00022- program, scene,
-/ constants   10075 records   11446 mask stack   12460 and 15230 the two display
-/ files.
+/ constants   10075 records (with WALK they are in the scene)   11446 mask stack
+/ 12460 and 15230 the two display files.
 / Auto-index registers: 10 vectors of a chain  11 polygon being written
 / 12 polygon being read  13 sloped edges  14 display file  15,16 copying
 / 17 interrupt handler.
@@ -24,6 +26,7 @@
 
 FRACTION=3
 TRUNCATE=0
+WALK=0
         IFNZRO FRACTION&777774 <
 unit=1
 uhalf=0
@@ -57,9 +60,14 @@ u200=u100+u100
 u400=u200+u200
 u1000=u400+u400
 
+        IFZERO WALK <
 recs=10075              / records of openings: 5 words each
 recmax=224              / 148 of them
 recend=11441            / and one for an opening beyond these
+        >
+        IFNZRO WALK <
+recs=11446              / each opening has its record before it
+        >
 stack=11446
 stkend=12350            / 450 words; one frame more may be written beyond
 filea=12460
@@ -98,6 +106,9 @@ vwwait, lac runing      / the display must have taken up the last file
 
 search, dzm status      / the view's time begins here
         jms newfil
+        IFNZRO WALK <
+        jms travel
+        >
         lac mode
         and (1
         sza
@@ -234,6 +245,9 @@ tktab,  sumx            / left, right
 / Out: ex ey ez scale; views and the sums are zero.
 / Destroys: nothing else.
 initpr, 0
+        IFNZRO WALK <
+        dzm scene       / the cell is found when the first view begins
+        >
         lac scene+2
         dac ex
         lac scene+3
@@ -249,12 +263,14 @@ initpr, 0
         dzm views
         jmp i initpr
 
-/ Apply what the switches have summed up, within the box where the eye may be.
+/ Apply what the switches have summed up, within the box where the eye may be;
+/ with WALK the sums are the steps that the walk takes.
 / In: ex ey ez scale, the sums, scene tape.
-/ Out: ex ey ez scale; the sums are zero.
+/ Out: ex ey ez scale, with WALK step instead of the eye; the sums are zero.
 / Destroys: limlo limhi limt.
 newpar, 0
         iof
+        IFZERO WALK <
         lac ex
         tad sumx
         dac ex
@@ -264,6 +280,15 @@ newpar, 0
         lac ez
         tad sumz
         dac ez
+        >
+        IFNZRO WALK <
+        lac sumx
+        dac step
+        lac sumy
+        dac step+1
+        lac sumz
+        dac step+2
+        >
         lac scale
         tad sums
         dac scale
@@ -272,6 +297,7 @@ newpar, 0
         dzm sumz
         dzm sums
         ion
+        IFZERO WALK <
         lac ex
         jms limitx
         dac ex
@@ -289,6 +315,7 @@ newpar, 0
         lac ez
         jms limit
         dac ez
+        >
         lac (100
         dac limlo
         lac (10000

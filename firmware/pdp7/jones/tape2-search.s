@@ -74,6 +74,11 @@ opset,  dac org         / the opening's X word, and its name
 / high or to the low side; 4, it has a real line; 10, known.  Then its box on
 / the screen.
 opens,  lac org
+        IFNZRO WALK <
+        tad (-10+1      / with WALK the record is before the opening
+        dac 15
+        >
+        IFZERO WALK <
         tad (-scene+1
         rcr
         and (377774     / four words for each eight,
@@ -86,6 +91,7 @@ opens,  lac org
         tad (-recend+2
         sma
         jms beyond
+        >
         lac i 15
         sna
         jms newrec
@@ -302,6 +308,7 @@ plnk,   dzm ucell       / across k
         dzm r           / nothing is seen towards the back
         jmp i plane
 
+        IFZERO WALK <
 / An opening beyond the table is worked out every time.
 / Out: 15 before the record at recend, which is empty.  Destroys: nothing else.
 beyond, 0
@@ -309,6 +316,7 @@ beyond, 0
         dac 15
         dzm recend
         jmp i beyond
+        >
 
 / Make the record of an opening, whose first word 15 points at: AC = that word.
 / In: 15 at the record, org.
@@ -318,6 +326,13 @@ newrec, 0
         lac 15
         dac rec
         jms plane
+        IFNZRO WALK <
+        jms extent
+        jmp recsiz
+/ ext = how far an opening extends from the eye along each axis.
+/ In: org, axis1 axis2 of plane.  Out: ext.  Destroys: 15 vecw exaxis excell exsum.
+extent, 0
+        >
         lac org         / the ends of its extent along each axis
         tad (777777
         dac 15
@@ -340,7 +355,10 @@ newrec, 0
         jms extend
         lac axis2
         jms extend
-        lac (10
+        IFNZRO WALK <
+        jmp i extent
+        >
+recsiz, lac (10
         dac i rec
         lac ext+5
         tad (777777
@@ -483,6 +501,22 @@ exdone, lac exsum
 / Forget all records: a pass begins.
 / Out: the records are zero.  Destroys: rec cnt.
 forget, 0
+        IFNZRO WALK <
+        lac (ways       / only a scene tape for the walk has this tag
+fgopn,  dac rec         / from opening to opening, up to the planes of cell 0
+        tad (-c0+4
+        sma
+        jmp i forget
+        dzm i rec
+        lac rec
+        tad (12
+        dac t1
+        lac i t1
+        tad t1
+        tad (1
+        jmp fgopn
+        >
+        IFZERO WALK <
         lac (recs
         dac rec
         lac (-recmax+1
@@ -494,6 +528,7 @@ fgnext, dzm i rec
         isz cnt
         jmp fgnext
         jmp i forget
+        >
 
 / No opening left: ascend a level.
 oplast, lac depth

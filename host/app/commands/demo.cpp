@@ -33,6 +33,7 @@ DemoResults run_parts(const DemoArguments& arguments) {
   DemoResults results;
   const std::vector<std::function<void()>> parts{[&] { results.jones = run_jones_demo(arguments.directory); },
                                                  [&] { results.skala = run_skala_demo(arguments.directory); },
+                                                 [&] { results.walks = run_walks(arguments.directory); },
                                                  [&] { results.turns = run_turns(); }, [&] { results.flights = run_flights(); },
                                                  [&] { results.stripes = run_stripes_demo(arguments.directory); }};
   base::OrderedWork<bool> work;
@@ -53,6 +54,7 @@ DemoResults run_parts(const DemoArguments& arguments) {
 
 std::vector<std::pair<std::string, std::string>> tables_of(const DemoResults& results) {
   return {{"Jones 1971 on the PDP-7 with a Type 340 display", jones_table(results.jones)},
+          {"A walk from cell to cell on the PDP-7, which Jones 1971 left out", walk_table(results.walks)},
           {"A solid turning on the PDP-7, after Plantinga, Seales and Dyer 1990", turn_table(results.turns)},
           {"A flight on the 8080 with the priority display, after Willis 1977", demo_flight_table(results.flights)},
           {"Skala 1985 on the 8080 with an EF9365 raster board", skala_demo_table(results.skala)},
@@ -76,6 +78,7 @@ Json document_of(const DemoArguments& arguments, const DemoResults& results, con
     document["verdicts"].push_back(
         {{"subject", verdict.subject}, {"text", verdict.text}, {"verdict", verdict.verdict}, {"right", verdict.right}});
   add_jones_rows(document, results.jones);
+  add_walks(document, results.walks);
   add_turns(document, results.turns);
   add_flights(document, results.flights);
   add_skala_demo(document, results.skala);

@@ -2,12 +2,15 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <set>
 #include <string_view>
 #include <utility>
 
 #include "host/app/commands/jones_pictures.hpp"
 #include "host/app/outputs.hpp"
 #include "host/app/scene_argument.hpp"
+#include "host/programs/jones/known_walks.hpp"
 #include "host/scene/read/builtin.hpp"
 
 namespace sightline::app {
@@ -60,6 +63,55 @@ void add_jones_rows(Json& document, const std::vector<JonesRow>& rows) {
                                  {"segments", row.view.pieces},
                                  {"core_words_used", row.words},
                                  {"refreshes_per_second", row.refreshes}});
+  }
+}
+
+std::vector<WalkRow> run_walks(const std::string& directory) {
+  std::vector<WalkRow> rows;
+  for (const jones::KnownWalk& known : jones::known_walks) {
+    const std::string name(known.scene);
+    const scene::CellScene scene = load_cells(name);
+    for (const bool eae : {true, false}) {
+      jones::Order order;
+      order.walk = value_of(jones::read_walk(known.steps), name);
+      if (eae) order.photograph = photograph_time;
+      order.check = true;
+      const jones::Outcome outcome = value_of(jones::run(scene, {.eae = eae, .walk = true}, order), name);
+      if (eae) write_jones_pictures(directory, file_stem(scene.name) + "-walk", title_of(scene.name, eae) + ", after a walk", outcome);
+      WalkRow& row = rows.emplace_back(WalkRow{name, eae, outcome.views.size(), 0, scene.cells.size(), 0, 0, outcome.core_words});
+      std::set<std::size_t> entered;
+      for (const jones::View& view : outcome.views) {
+        entered.insert(view.cell);
+        row.mean_s += core::in_seconds(view.time) / static_cast<double>(row.views);
+        row.worst_s = std::max(row.worst_s, core::in_seconds(view.time));
+      }
+      row.entered = entered.size();
+    }
+  }
+  return rows;
+}
+
+std::string walk_table(const std::vector<WalkRow>& rows) {
+  std::string text = fmt::format("{:<11}{:<5}{:>7}{:>16}{:>14}{:>14}{:>16}\n", "scene", "EAE", "views", "cells entered", "seconds mean", "worst", "words of core");
+  for (const WalkRow& row : rows) {
+    text += fmt::format("{:<11}{:<5}{:>7}{:>16}{:>14.3f}{:>14.3f}{:>16}\n", row.scene, row.eae ? "yes" : "no", row.views, fmt::format("{}/{}", row.entered, row.cells),
+                        row.mean_s, row.worst_s, fmt::format("{}/{}", row.words, jones::core_words));
+  }
+  text += "The program finds the cell of the camera by the planes of the cells and follows it through portals; Jones, 1971: \"ideally there would be complete freedom of movement of the viewpoint\".\n";
+  return text;
+}
+
+void add_walks(Json& document, const std::vector<WalkRow>& rows) {
+  document["walks"] = Json::array();
+  for (const WalkRow& row : rows) {
+    document["walks"].push_back({{"scene", row.scene},
+                                 {"eae", row.eae},
+                                 {"views", row.views},
+                                 {"cells_entered", row.entered},
+                                 {"cells", row.cells},
+                                 {"seconds_mean", row.mean_s},
+                                 {"seconds_worst", row.worst_s},
+                                 {"core_words_used", row.words}});
   }
 }
 

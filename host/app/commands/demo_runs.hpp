@@ -28,6 +28,23 @@ struct JonesRow {
 // Adds "views".
 void add_jones_rows(base::Json& document, const std::vector<JonesRow>& rows);
 
+// A walk from cell to cell, with the EAE or without.
+struct WalkRow {
+  std::string scene;
+  bool eae = false;
+  std::size_t views = 0;
+  std::size_t entered = 0;  // cells
+  std::size_t cells = 0;
+  double mean_s = 0;
+  double worst_s = 0;
+  std::uint32_t words = 0;
+};
+// Writes SCENE-walk.png, -walk-phosphor.png and -walk.svg, the last view with the EAE, into `directory`. Errors as above.
+[[nodiscard]] std::vector<WalkRow> run_walks(const std::string& directory);
+[[nodiscard]] std::string walk_table(const std::vector<WalkRow>& rows);
+// Adds "walks".
+void add_walks(base::Json& document, const std::vector<WalkRow>& rows);
+
 // A turning solid, with or without the EAE.
 struct TurnRow {
   std::string model;

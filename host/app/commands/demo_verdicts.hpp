@@ -14,6 +14,7 @@ namespace sightline::app {
 
 struct DemoResults {
   std::vector<JonesRow> jones;
+  std::vector<WalkRow> walks;
   std::vector<TurnRow> turns;
   std::vector<FlightRow> flights;
   SkalaDemo skala;

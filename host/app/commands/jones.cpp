@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "host/app/commands/commands.hpp"
 #include "host/app/commands/jones_pictures.hpp"
@@ -26,15 +27,17 @@ struct JonesArguments {
   std::string at;
   std::optional<int> scale;
   std::string switches;
+  std::optional<std::string> walk;
   bool stereo = false;
   bool immediate = false;
-  int views = 2;
+  std::optional<int> views;
   std::string directory = "out";
   bool check = false;
   bool json = false;
 };
 
 constexpr double flicker_limit = 30.0;
+constexpr std::string_view walk_by_switches = "switches";
 
 jones::Order order_of(const JonesArguments& arguments) {
   jones::Order order;
@@ -42,10 +45,16 @@ jones::Order order_of(const JonesArguments& arguments) {
   order.scale = arguments.scale;
   order.stereo = arguments.stereo;
   order.immediate = arguments.immediate;
-  order.views = arguments.views;
+  order.views = arguments.views.value_or(2);
   order.photograph = photograph_time;
   order.film = arguments.immediate;
   order.check = arguments.check;
+  if (arguments.walk && arguments.walk != walk_by_switches) {
+    if (arguments.views || !arguments.switches.empty()) throw base::usage_error("--walk: found steps, each of which is a view; --views and --switches need `--walk switches`");
+    auto walk = jones::read_walk(*arguments.walk);
+    if (!walk) throw base::usage_error("--walk: " + walk.error().message());
+    order.walk = std::move(*walk);
+  }
   if (!arguments.switches.empty()) {
     static_cast<void>(value_of(machines::read_switches(read_named(arguments.switches), order.switches)));
     // The switches of --stereo and --immediate stay up, whatever the script sets.
@@ -62,6 +71,7 @@ Json document_of(const JonesArguments& arguments, const scene::CellScene& scene,
                 {"eae", !arguments.no_eae},
                 {"fraction_bits", arguments.fraction},
                 {"truncated", arguments.truncate},
+                {"walk", arguments.walk.has_value()},
                 {"eye", outcome.eye},
                 {"cells", scene.cells.size()},
                 {"core_words_used", outcome.core_words},
@@ -69,16 +79,24 @@ Json document_of(const JonesArguments& arguments, const scene::CellScene& scene,
                 {"flicker", outcome.refreshes_per_second() < flicker_limit}};
   document["views"] = Json::array();
   for (const jones::View& view : outcome.views) {
-    document["views"].push_back({{"status", jones::name(view.status)},
-                                 {"emulated_ns", view.time.count()},
-                                 {"instructions", view.instructions},
-                                 {"stolen_cycles", view.stolen_cycles},
-                                 {"cells_read", view.distinct_cells},
-                                 {"visits", view.visits},
-                                 {"openings_tested", view.openings_tested},
-                                 {"lines_clipped", view.lines_clipped},
-                                 {"segments", view.pieces},
-                                 {"display_words", view.display_file.size()}});
+    Json entry{{"status", jones::name(view.status)},
+               {"emulated_ns", view.time.count()},
+               {"instructions", view.instructions},
+               {"stolen_cycles", view.stolen_cycles},
+               {"cells_read", view.distinct_cells},
+               {"visits", view.visits},
+               {"openings_tested", view.openings_tested},
+               {"lines_clipped", view.lines_clipped},
+               {"segments", view.pieces},
+               {"display_words", view.display_file.size()}};
+    if (arguments.walk.has_value()) {
+      entry["eye"] = view.eye;
+      entry["cell"] = view.cell < scene.cells.size() ? Json(view.cell) : Json(nullptr);
+      entry["stopped"] = Json::array();
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if ((view.stops >> axis & 1U) != 0) entry["stopped"].push_back(std::string(1, "xyz"[axis]));
+    }
+    document["views"].push_back(std::move(entry));
   }
   document["pictures"] = pictures;
   return document;
@@ -89,9 +107,15 @@ std::string summary_of(const JonesArguments& arguments, const scene::CellScene& 
   const auto& eye = outcome.eye;
   std::string text = fmt::format("{} from {},{},{}, PDP-7 {} EAE\n", arguments.scene, eye[0], eye[1], eye[2],
                                  arguments.no_eae ? "without" : "with");
-  for (std::size_t n = 0; n < outcome.views.size(); ++n)
-    text += fmt::format("view {}           {:.3f} s{}\n", n + 1, core::in_seconds(outcome.views[n].time),
+  for (std::size_t n = 0; n < outcome.views.size(); ++n) {
+    const jones::View& each = outcome.views[n];
+    text += fmt::format("{:<17}{:.3f} s{}", fmt::format("view {}", n + 1), core::in_seconds(each.time),
                         n == 0 ? " (display dark)" : " (picture being refreshed)");
+    if (arguments.walk.has_value())
+      text += fmt::format(", eye {},{},{} in cell {}", each.eye[0], each.eye[1], each.eye[2], each.cell);
+    if (each.stops != 0) text += fmt::format(", stopped by a wall along {}", jones::axes_of(each.stops));
+    text += "\n";
+  }
   text += fmt::format("status           {}\n", jones::name(view.status));
   text += fmt::format("instructions     {}\n", view.instructions);
   text += fmt::format("cells read       {} of {}, {} visits\n", view.distinct_cells,
@@ -109,7 +133,7 @@ std::string summary_of(const JonesArguments& arguments, const scene::CellScene& 
 
 ExitCode run_jones(const JonesArguments& arguments) {
   const scene::CellScene scene = load_cells(arguments.scene);
-  const jones::Build build{!arguments.no_eae, arguments.fraction, arguments.truncate};
+  const jones::Build build{!arguments.no_eae, arguments.fraction, arguments.truncate, arguments.walk.has_value()};
   const jones::Outcome outcome = value_of(jones::run(scene, build, order_of(arguments)), arguments.scene);
   const auto pictures = write_jones_pictures(arguments.directory, file_stem(scene.name),
                                              title_of(scene.name, build.eae), outcome);
@@ -145,10 +169,12 @@ void add_jones_command(const Command& program) {
       .range(64, 4096);
   const Option switches = command.option("--switches", arguments->switches, "Script of the AC switches; - is standard input")
       .value("SCRIPT");
+  command.option("--walk", arguments->walk, "Walk from cell to cell: the way to each further view, as \"in 100, right 50 up 20\", or \"switches\"")
+      .value("STEPS");
   command.flag("--stereo", arguments->stereo, "A stereo pair: AC switch 17 up");
   command.flag("--immediate", arguments->immediate, "Add lines to the picture at once: AC switch 16 up; with a movie of view 1, SCENE.apng");
   command.option("--views", arguments->views, "Number of views to compute; the last one is shown")
-      .default_value()
+      .default_value("2")
       .range(1, 1000);
   command.option("-o,--output", arguments->directory, "Folder for the pictures").default_value().value("DIR");
   command.flag("--check", arguments->check, "Compare the last view with that of the same program in C++, word for word")

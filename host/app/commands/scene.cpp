@@ -78,6 +78,7 @@ void write_scene(const scene::PolyScene& scene, const std::string& name, const s
 struct TapeArguments {
   std::string scene;
   std::string at;
+  bool walk = false;
   std::string output = "-";
 };
 
@@ -85,7 +86,7 @@ ExitCode tape(const TapeArguments& arguments) {
   std::optional<geometry::Point> eye;
   if (!arguments.at.empty()) eye = point_argument("--at", arguments.at);
   const scene::CellScene scene = load_cells(arguments.scene);
-  const std::string text = value_of(programs::jones::write_tape(scene, eye), arguments.scene);
+  const std::string text = value_of(programs::jones::write_tape(scene, eye, arguments.walk ? programs::jones::Tape::walk : programs::jones::Tape::view), arguments.scene);
   Output output(arguments.output);
   output.write(text);
   output.commit();
@@ -98,6 +99,7 @@ void add_tape(const Command& parent) {
   const auto arguments = std::make_shared<TapeArguments>();
   command.option("SCENE", arguments->scene, cells_help).required();
   command.option("--at,--eye", arguments->at, "The eye").default_value("the scene's own view").value("X,Y,Z");
+  command.flag("--walk", arguments->walk, "For a program assembled with WALK=1: with the planes of the cells");
   command.option("-o,--output", arguments->output, "The tape; - is standard output")
       .default_value()
       .value("FILE");

@@ -187,7 +187,7 @@ Json make_jones(Workbench& workbench, const Json& request) {
   const auto scene = jones_scene(workbench, text_of(request, "scene"));
   if (!scene) return error_answer(scene.error().message());
   const bool eae = flag_of(request, "eae", true);
-  const auto program = programs::jones::assemble_program(*scene, {.eae = eae}, point_of(request.find("eye")));
+  const auto program = programs::jones::assemble_program(*scene, {.eae = eae, .walk = flag_of(request, "walk")}, point_of(request.find("eye")));
   if (!program) return error_answer(program.error().message());
   machines::Program image{{}, program->labels.start};
   for (std::uint32_t at = 0; at < program->core.size(); ++at) image.words.emplace_back(at, program->core[at].value());
@@ -199,7 +199,7 @@ Json make_jones(Workbench& workbench, const Json& request) {
   if (request.find("scale") != nullptr)
     session->machine().put(program->labels.scale, static_cast<std::uint32_t>(std::clamp(number_of(request, "scale", 512), 64.0, 4096.0)));
   Json labels = Json::object();
-  for (const char* const name : {"ex", "ey", "ez", "scale", "views", "status", "file", "shown", "runing"}) {
+  for (const char* const name : {"ex", "ey", "ez", "scale", "views", "status", "file", "shown", "runing", "stops"}) {
     const auto found = program->symbols.find(name);
     if (found != program->symbols.end()) labels[name] = found->second;
   }

@@ -19,6 +19,7 @@ constexpr std::uint32_t word_mask = 0777777;
 constexpr std::uint32_t flag = 0400000;  // F, L and N alike: bit 0
 constexpr std::uint32_t magnitude_mask = 0077777;
 constexpr std::int32_t longest_vector = 16383;
+constexpr std::size_t record_words = 5;  // of the program's, before each opening of a tape for the walk
 
 std::uint32_t twos_complement(std::int32_t number) {
   return static_cast<std::uint32_t>(number) & word_mask;
@@ -31,9 +32,10 @@ std::size_t vectors_for(std::int32_t distance) {
 
 class Encoder {
  public:
-  Encoder(const scene::CellScene& scene, std::uint32_t base)
+  Encoder(const scene::CellScene& scene, std::uint32_t base, Tape tape)
       : scene_(scene), openings_of_(scene.cells.size()) {
     result_.base = base;
+    result_.tape = tape;
     for (std::size_t o = 0; o < scene.openings.size(); ++o) {
       for (const std::size_t cell : scene.openings[o].cells) openings_of_[cell].push_back(o);
     }
@@ -42,9 +44,14 @@ class Encoder {
   EncodedScene encode(const Viewpoint& view) {
     result_.view = view;
     header();
+    if (result_.tape == Tape::walk) {
+      tag_ = "ways";
+      openings();
+    }
+    const std::size_t before_cells = result_.words.size();
     for (std::size_t c = 0; c < scene_.cells.size(); ++c) cell(c);
-    result_.cell_words = result_.words.size() - scene_header_words;
-    for (std::size_t o = 0; o < scene_.openings.size(); ++o) opening(o);
+    result_.cell_words = result_.words.size() - before_cells;
+    if (result_.tape == Tape::view) openings();
     result_.opening_words = result_.words.size() - scene_header_words - result_.cell_words;
     resolve();
     return std::move(result_);
@@ -61,28 +68,51 @@ class Encoder {
 
   void header() {
     tag_ = "scene";
-    reference(0, false, result_.view.cell, 0, "initial cell");
+    const bool walk = result_.tape == Tape::walk;
+    if (walk)
+      append(0, scene::octal(0), "initial cell: found by the program");
+    else
+      reference(0, false, result_.view.cell, 0, "initial cell");
     number(static_cast<std::int32_t>(scene_.cells.size()), "number of cells");
     for (std::size_t a = 0; a < 3; ++a) number(result_.view.eye[a], "eye " + scene::axis_name(a));
-    for (std::size_t a = 0; a < 3; ++a) {
+    for (std::size_t word = 5; walk && word < scene_header_words; ++word) append(0, scene::octal(0), "box of the eye: set by the program");
+    for (std::size_t a = 0; !walk && a < 3; ++a) {
       number(result_.view.limits.low[a], "eye: lowest " + scene::axis_name(a));
       number(result_.view.limits.high[a], "eye: highest " + scene::axis_name(a));
     }
   }
 
+  void openings() {
+    for (std::size_t o = 0; o < scene_.openings.size(); ++o) opening(o);
+  }
+
   void cell(std::size_t c) {
+    std::vector<scene::Line> left = scene_.cells[c].lines;
+    const Point first = left.empty() ? scene_.cells[c].box.low : left.front().from;
+    const std::string name = "cell " + std::to_string(c);
+    Point pen = first;
+    if (result_.tape == Tape::walk) pen = far_planes(scene_.cells[c].box, first, name);
     result_.cell_addresses.push_back(next_address());
     tag_ = "c" + std::to_string(c);
-    std::vector<scene::Line> left = scene_.cells[c].lines;
-    const Point origin = left.empty() ? scene_.cells[c].box.low : left.front().from;
-    place(origin, "cell " + std::to_string(c));
+    place(pen, name);
     const std::size_t count = result_.words.size();
     number(0, "");  // replaced below
-    Point pen = origin;
+    move(pen, first, false);
     while (!left.empty()) draw_nearest(left, pen);
     const std::size_t vectors = result_.words.size() - count - 1;
     set_number(result_.words[count], static_cast<std::int32_t>(vectors), "vectors");
     opening_list(c);
+  }
+
+  // Places the three planes of the box that are farther from the point, and returns the corner on the three nearer ones.
+  Point far_planes(const Box& box, const Point& point, const std::string& name) {
+    Point near = box.low;
+    for (std::size_t a = 0; a < 3; ++a) {
+      std::int32_t far = box.high[a];
+      if (far - point[a] < point[a] - near[a]) std::swap(near[a], far);
+      number(far, name + ": far plane " + scene::axis_name(a));
+    }
+    return near;
   }
 
   // Moves to and draws the line that takes the fewest dummy vectors; in a tie the first in the scene's order.
@@ -133,6 +163,8 @@ class Encoder {
 
   void opening(std::size_t o) {
     const scene::Opening& element = scene_.openings[o];
+    for (std::size_t word = 0; result_.tape == Tape::walk && word < record_words; ++word)
+      append(0, scene::octal(0), "opening " + std::to_string(o) + ": record");
     result_.opening_addresses.push_back(next_address());
     tag_ = "o" + std::to_string(o);
     reference(flag, false, element.cells[0], 0, "opening " + std::to_string(o) + ": cell on the low side");
@@ -208,6 +240,15 @@ std::optional<base::Error> too_large(const scene::CellScene& scene, std::uint32_
                          "; core ends at " + scene::octal(core_words - 1)};
 }
 
+// A walk needs a point inside each cell.
+std::optional<base::Error> too_thin(const scene::CellScene& scene) {
+  for (std::size_t c = 0; c < scene.cells.size(); ++c)
+    for (std::size_t a = 0; a < 3; ++a)
+      if (scene.cells[c].box.span(a).length() < 2)
+        return base::Error{"", "cell " + std::to_string(c), "is 1 unit thick along " + scene::axis_name(a) + "; a walk needs at least 2: multiply all coordinates of the scene by 2"};
+  return std::nullopt;
+}
+
 Box limits_in(const Box& cell) {
   Box limits;
   for (std::size_t a = 0; a < 3; ++a) {
@@ -241,12 +282,13 @@ base::Result<Viewpoint> viewpoint(const scene::CellScene& scene, const Point& ey
                          scene::text_of(2, limits.span(2))};
 }
 
-base::Result<EncodedScene> encode(const scene::CellScene& scene, std::optional<Point> eye,
-                                  std::uint32_t base) {
+base::Result<EncodedScene> encode(const scene::CellScene& scene, std::optional<Point> eye, std::uint32_t base, Tape tape) {
   if (const auto error = too_large(scene, base)) return *error;
+  if (tape == Tape::walk)
+    if (const auto error = too_thin(scene)) return *error;
   const auto view = viewpoint(scene, eye.value_or(scene.default_view));
   if (!view) return view.error();
-  EncodedScene result = Encoder(scene, base).encode(*view);
+  EncodedScene result = Encoder(scene, base, tape).encode(*view);
   if (base + result.words.size() > core_words) {
     return base::Error{"", "",
                        "needs " + std::to_string(result.words.size()) + " words from address " +
@@ -256,24 +298,28 @@ base::Result<EncodedScene> encode(const scene::CellScene& scene, std::optional<P
 }
 
 std::array<std::uint32_t, scene_header_words> header_words(const EncodedScene& scene, const Viewpoint& view) {
-  std::array<std::uint32_t, scene_header_words> words{
-      scene.cell_addresses[view.cell], static_cast<std::uint32_t>(scene.cell_addresses.size())};
+  std::array<std::uint32_t, scene_header_words> words{};
+  words[1] = static_cast<std::uint32_t>(scene.cell_addresses.size());
+  for (std::size_t a = 0; a < 3; ++a) words[2 + a] = twos_complement(view.eye[a]);
+  if (scene.tape == Tape::walk) return words;
+  words[0] = scene.cell_addresses[view.cell];
   for (std::size_t a = 0; a < 3; ++a) {
-    words[2 + a] = twos_complement(view.eye[a]);
     words[5 + 2 * a] = twos_complement(view.limits.low[a]);
     words[6 + 2 * a] = twos_complement(view.limits.high[a]);
   }
   return words;
 }
 
-base::Result<std::string> write_tape(const scene::CellScene& scene, std::optional<Point> eye) {
-  const auto encoded = encode(scene, eye);
+base::Result<std::string> write_tape(const scene::CellScene& scene, std::optional<Point> eye, Tape tape) {
+  const auto encoded = encode(scene, eye, 0, tape);
   if (!encoded) return encoded.error();
   const auto& result = *encoded;
   std::string text = "/ scene " + scene.name + ": " + std::to_string(scene.cells.size()) + " cells in " +
                      std::to_string(result.cell_words) + " words, " + std::to_string(scene.openings.size()) +
                      " openings in " + std::to_string(result.opening_words) + ", header " +
                      std::to_string(scene_header_words) + "\n";
+  // The program with another setting would take other words for the planes; tapes of one view have no tag `ways`.
+  if (tape == Tape::walk) text += "        IFZERO WALK <           / only for a program with the walk\n        assemble-with-WALK\n        >\n";
   for (const EncodedWord& word : result.words) text += line_of(word);
   return text;
 }

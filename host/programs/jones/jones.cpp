@@ -8,8 +8,10 @@
 
 #include "emulators/machines/pdp7.hpp"
 #include "emulators/type340/display.hpp"
+#include "host/base/text.hpp"
 #include "host/machines/pdp7_watch.hpp"
 #include "host/machines/stroke_keeper.hpp"
+#include "host/programs/jones/twin/walk.hpp"
 
 namespace sightline::programs::jones {
 
@@ -155,12 +157,14 @@ Watch::Watch(const Program& program, const Order& order)
       ends_(order.immediate ? pdp7::Verb::modify : pdp7::Verb::write),
       cell_of_(core_words, -1),
       seen_(program.scene.cell_addresses.size(), false) {
-  // Cell-elements are adjacent; the first opening-element ends the last of them.
+  // Cell-elements are adjacent, those of a walk each with three planes before it.
   const auto& cells = program.scene.cell_addresses;
+  const std::uint32_t planes = program.build.walk ? 3 : 0;
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-    const std::uint32_t end = cell + 1 < cells.size()
+    const std::uint32_t next = cell + 1 < cells.size()
                                   ? cells[cell + 1]
                                   : cells.front() + static_cast<std::uint32_t>(program.scene.cell_words);
+    const std::uint32_t end = next - planes;
     for (std::uint32_t address = cells[cell]; address < end; ++address) {
       cell_of_[address] = static_cast<std::int32_t>(cell);
       mark(address, pdp7::mark::fetched | pdp7::mark::read);
@@ -197,7 +201,8 @@ void Watch::end(core::Instant time) {
 
 void Watch::fetched_at(pdp7::Address pc, core::Instant time) {
   if (pc == labels_.search) begin(time);
-  if (pc == labels_.visit) ++current_.visits;
+  // What the walk reads of the cells is not counted.
+  if (pc == labels_.visit && current_.visits++ == 0) seen_.assign(seen_.size(), false);
   if (pc == labels_.opening) ++current_.openings;
   if (pc == labels_.line) ++current_.lines;
   if (pc == labels_.piece) ++current_.pieces;
@@ -269,6 +274,12 @@ std::vector<core::Word18> display_file(const pdp7::Machine& machine, const Progr
   return words;
 }
 
+// The number of the cell with this element; the number of cells if none has.
+std::size_t cell_at(const Program& program, std::uint32_t address) {
+  const auto& cells = program.scene.cell_addresses;
+  return static_cast<std::size_t>(std::find(cells.begin(), cells.end(), address) - cells.begin());
+}
+
 // `begun`: the counts after the view's first instruction. Neither that instruction nor the last, just executed, is counted.
 View view_of(const pdp7::Machine& machine, const Program& program, Watch& watch, const pdp7::Counts& begun) {
   const Watch::Watched& watched = watch.view();
@@ -284,6 +295,9 @@ View view_of(const pdp7::Machine& machine, const Program& program, Watch& watch,
   view.lines_clipped = watched.lines;
   view.pieces = watched.pieces;
   view.display_file = display_file(machine, program);
+  for (std::size_t a = 0; a < 3; ++a) view.eye[a] = machine.peek(program.labels.eye + static_cast<pdp7::Address>(a)).twos_complement();
+  view.cell = cell_at(program, machine.peek(program.labels.scene).value());
+  if (program.build.walk) view.stops = machine.peek(program.labels.stops).value();
   watch.give_pieces(view);
   return view;
 }
@@ -322,6 +336,17 @@ bool take_display(pdp7::Machine& machine, Watch& watch, PassWatch& passes, const
   return true;
 }
 
+std::size_t views_of(const Order& order) {
+  return order.walk.empty() ? static_cast<std::size_t>(order.views) : order.walk.size() + 1;
+}
+
+// Replaces what the switches have summed up since the last view: the program has copied the sums, and has not taken the
+// steps.
+void put_steps(pdp7::Machine& machine, const Program& program, const Steps& steps) {
+  for (std::size_t a = 0; a < 3; ++a)
+    machine.deposit(program.labels.steps + static_cast<pdp7::Address>(a), core::Word18(static_cast<std::uint32_t>(steps[a])));
+}
+
 // Runs the machine until the views are complete and the display has shown the last one. False: the time limit came first.
 bool take_views(pdp7::Machine& machine, PassWatch& passes, const Program& program, const Order& order, Outcome& outcome) {
   Watch watch(program, order);
@@ -329,10 +354,11 @@ bool take_views(pdp7::Machine& machine, PassWatch& passes, const Program& progra
   limits.until = core::Instant(order.time_limit);
   pdp7::Counts begun;
   if (order.film) passes.photograph();
-  while (static_cast<int>(outcome.views.size()) < order.views) {
+  while (outcome.views.size() < views_of(order)) {
     if (machine.run(limits, watch) != pdp7::StopReason::observer) return false;
     if (watch.has_begun()) {
       begun = machine.counts();
+      if (const std::size_t n = outcome.views.size(); n > 0 && n <= order.walk.size()) put_steps(machine, program, order.walk[n - 1]);
       continue;
     }
     outcome.views.push_back(view_of(machine, program, watch, begun));
@@ -381,6 +407,23 @@ std::string difference_of(const View& view, const TwinView& twin) {
   return fmt::format("word {} of the display file is {}, the twin's {}", here - a.begin(), word(here, a), word(there, b));
 }
 
+std::string difference_of_walk(const Program& program, std::span<const core::Word18> core, const Order& order, const Outcome& outcome) {
+  Walk walk({core.begin(), core.end()}, program.labels.scene, program.scene.cell_addresses.front());
+  TwinView view;
+  for (std::size_t n = 0; n < outcome.views.size(); ++n) {
+    const View& machine = outcome.views[n];
+    view = TwinView{};
+    view.status = walk.take(n > 0 && n <= order.walk.size() ? order.walk[n - 1] : Steps{});
+    if (walk.eye() != machine.eye || walk.stops() != machine.stops || cell_at(program, walk.cell()) != machine.cell)
+      return fmt::format("the eye of view {} is at {} in cell {}, the twin's at {} in cell {}", n + 1, base::joined(machine.eye, ","), machine.cell,
+                         base::joined(walk.eye(), ","), cell_at(program, walk.cell()));
+  }
+  if (view.status != Status::complete) return view.status == outcome.view().status ? "" : difference_of(outcome.view(), view);
+  std::vector<core::Word18> there = walk.core();
+  for (std::size_t a = 0; a < 3; ++a) there[program.labels.scene + 2 + a] = core::Word18(static_cast<std::uint32_t>(walk.eye()[a]));
+  return difference_of(outcome.view(), run_twin(program, there, order));
+}
+
 base::Result<Outcome> run_core(const Program& program, std::span<const core::Word18> core, const Order& order) {
   pdp7::Machine machine(machine_for(program, order));
   if (!machine.error().empty()) base::give_up(machine.error());
@@ -397,7 +440,8 @@ base::Result<Outcome> run_core(const Program& program, std::span<const core::Wor
     return base::program_failed(
         fmt::format("the program did not complete a view in {:.0f} emulated seconds", core::in_seconds(outcome.emulated)));
   if (!order.check) return outcome;
-  const std::string difference = difference_of(outcome.view(), run_twin(program, core, order));
+  const std::string difference = program.build.walk ? difference_of_walk(program, core, order, outcome)
+                                                    : difference_of(outcome.view(), run_twin(program, core, order));
   if (!difference.empty())
     return base::difference("internal error: the view on the PDP-7 is not the one its native twin computes: " + difference);
   return outcome;

@@ -22,6 +22,7 @@
 #include "host/programs/jones/program.hpp"
 #include "host/programs/jones/specification.hpp"
 #include "host/programs/jones/twin/twin.hpp"
+#include "host/programs/jones/walk_path.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::programs::jones {
@@ -33,14 +34,17 @@ struct Order {
   bool immediate = false;              // AC switch 16: lines are added at once
   bool clock = true;
   std::vector<pdp7::SwitchSetting> switches;  // a script of the console switches, instead of `stereo` and `immediate`
+  // Only for a build with the walk: the steps of each view after the first, along x, y and z, as the switches would have
+  // summed them. The views are then one more than these.
+  std::vector<Steps> walk;
   int views = 2;
   bool display = true;                        // false: views are computed with no display on the machine
   core::Duration photograph{};                // keep strokes for this long after the last view's first pass
   bool film = false;                          // keep the strokes of the first view while it is computed
   bool pieces = false;                        // read the line pieces of each view from the machine
   core::Duration time_limit = core::seconds(600);  // emulated
-  // Compares the last view with the twin's, word for word. The switches must not change during the run: the twin models
-  // nothing between views.
+  // Compares the last view with the twin's, word for word, and the eye of each view of a walk. The switches must not change
+  // during the run: the twin models nothing between views but the order's own walk.
   bool check = false;
 };
 
@@ -56,6 +60,9 @@ struct View {
   std::uint64_t lines_clipped = 0;
   std::uint64_t pieces = 0;
   std::vector<core::Word18> display_file;  // from its first word to the stop word
+  geometry::Point eye{};
+  std::size_t cell = 0;      // of the eye; the number of cells if it is in none
+  std::uint32_t stops = 0;   // 1, 2, 4: a wall stopped the eye along x, y, z; 0 without the walk
   // Only for orders with `pieces`, of one eye: the pieces as they left the clip, and the ends of each in points of the
   // screen.
   std::vector<Piece> clipped;
@@ -119,5 +126,7 @@ class Prepared {
 
 // The difference of a view on the machine from its twin: the status, or the first word of the display file. Empty: equal.
 [[nodiscard]] std::string difference_of(const View& view, const TwinView& twin);
+// The same for a walk: each eye, and the last view.
+[[nodiscard]] std::string difference_of_walk(const Program& program, std::span<const core::Word18> core, const Order& order, const Outcome& outcome);
 
 }  // namespace sightline::programs::jones

@@ -16,7 +16,7 @@ std::uint32_t words_of(const assembler::Assembly& assembly, std::string_view nam
   return *value;
 }
 
-Labels labels_of(const assembler::Assembly& assembly) {
+Labels labels_of(const assembler::Assembly& assembly, const Build& build) {
   const auto at = [&](std::string_view name) { return words_of(assembly, name); };
   Labels labels;
   labels.start = at("start");
@@ -33,6 +33,11 @@ Labels labels_of(const assembler::Assembly& assembly) {
   labels.status = at("status");
   labels.scene = at("scene");
   labels.file_words = at("filsiz");
+  labels.eye = at("ex");
+  if (build.walk) {
+    labels.steps = at("step");
+    labels.stops = at("stops");
+  }
   return labels;
 }
 
@@ -53,12 +58,14 @@ std::string all_diagnostics(const assembler::Assembly& assembly) {
 
 base::Result<Program> assemble_program(const scene::CellScene& scene, const Build& build,
                                        std::optional<geometry::Point> eye) {
-  auto tape = write_tape(scene, eye);
+  const Tape kind = build.walk ? Tape::walk : Tape::view;
+  auto tape = write_tape(scene, eye, kind);
   if (!tape) return tape.error();
   assembler::Options assembler_options;
   assembler_options.defines.push_back({"EAE", build.eae ? 1U : 0U});
   assembler_options.defines.push_back({"FRACTION", build.fraction_bits});
   assembler_options.defines.push_back({"TRUNCATE", build.truncate ? 1U : 0U});
+  assembler_options.defines.push_back({"WALK", build.walk ? 1U : 0U});
   const auto assembly = assembler::assemble_pdp7(sources_with(*tape), assembler_options);
   if (!assembly.ok()) base::give_up("the program does not assemble:\n" + all_diagnostics(assembly));
 
@@ -71,16 +78,15 @@ base::Result<Program> assemble_program(const scene::CellScene& scene, const Buil
   }
   Program program;
   program.build = build;
-  program.labels = labels_of(assembly);
+  program.labels = labels_of(assembly, build);
   program.core.resize(core_words);
   for (const auto& [address, word] : assembly.image.words) program.core[address] = word;
   for (const auto& symbol : assembly.symbols) program.symbols.emplace(symbol.name, symbol.value);
-  auto encoded = encode(scene, eye, program.labels.scene);
+  auto encoded = encode(scene, eye, program.labels.scene, kind);
   if (!encoded) return encoded.error();
   program.scene = std::move(*encoded);
-  const auto image_words = static_cast<std::uint32_t>(assembly.image.words.size());
-  program.program_words = image_words - static_cast<std::uint32_t>(program.scene.words.size());
-  program.words_used = image_words + (core_words - tables);
+  program.program_words = static_cast<std::uint32_t>(assembly.image.words.size() - program.scene.words.size());
+  program.words_used = core_words - (tables - end);
   return program;
 }
 

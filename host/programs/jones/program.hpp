@@ -42,6 +42,10 @@ struct Labels {
   pdp7::Address status = 0;      // of the last view
   pdp7::Address scene = 0;       // header of the scene
   std::uint32_t file_words = 0;  // size of one display file
+  pdp7::Address eye = 0;         // ex: the eye of the last view, three words
+  // Only with Build::walk.
+  pdp7::Address steps = 0;  // step: the steps of the view that begins, three words
+  pdp7::Address stops = 0;  // the axes along which a wall stopped the eye
 };
 
 // The instruction to store at Labels::clock for a program without the clock.
@@ -51,6 +55,7 @@ struct Build {
   bool eae = true;                  // -D EAE, for a machine with an EAE
   std::uint32_t fraction_bits = 3;  // -D FRACTION, 0..3: of a coordinate on the screen
   bool truncate = false;            // -D TRUNCATE: quotients and points are truncated, not rounded
+  bool walk = false;                // -D WALK: the eye walks from cell to cell
 };
 
 struct Program {
@@ -60,8 +65,7 @@ struct Program {
   Labels labels;
   EncodedScene scene;               // based at labels.scene: the words of each cell
   std::uint32_t program_words = 0;  // instructions, variables and constants
-  std::uint32_t words_used =
-      0;  // core needed by the run: the above, scene, records, stack, two files
+  std::uint32_t words_used = 0;  // all but the free words between the constants and the tables
 };
 
 // Without an eye, the scene's default view is used. Errors: the eye is not in a cell, or the scene does not fit into core

@@ -23,6 +23,7 @@ enum class Status : std::uint8_t {
   too_many_mask_vertices,
   deeper_than_cells,
   bad_data_element,
+  eye_in_no_cell,
   unfinished,  // no status of the machine: the twin reached its own limit, where the machine would continue
 };
 [[nodiscard]] inline std::string_view name(Status status) {
@@ -34,6 +35,7 @@ enum class Status : std::uint8_t {
     case Status::too_many_mask_vertices: return "too many mask vertices";
     case Status::deeper_than_cells: return "deeper than the number of cells";
     case Status::bad_data_element: return "bad data element";
+    case Status::eye_in_no_cell: return "the eye is in no cell";
     case Status::unfinished: return "unfinished: the search goes on";
   }
   return "unknown status";

@@ -45,10 +45,12 @@ Picture crisp_png(const JonesRun& run) {
   return png_picture(picture::crisp_raster(run.outcome.pass));
 }
 
-Picture phosphor_png(const JonesRun& run) {
-  const core::Instant close = run.outcome.shutter_close;
+Picture phosphor_png(const JonesRun& run) { return phosphor_png(run.outcome); }
+
+Picture phosphor_png(const jones::Outcome& outcome) {
+  const core::Instant close = outcome.shutter_close;
   picture::PhosphorPhotograph photograph(close - shutter_time, close);
-  photograph.expose(run.outcome.photograph);
+  photograph.expose(outcome.photograph);
   // A quarter of the points: the beam is wider than a point.
   const picture::Image film = photograph.develop();
   picture::Image image(film.width / 2, film.height / 2, film.channels);

@@ -40,6 +40,7 @@ struct JonesRun {
 [[nodiscard]] Picture crisp_png(const JonesRun& run);
 // A photograph of the screen, exposed for 0.2 s, 512 x 512. The order asked for one (precondition).
 [[nodiscard]] Picture phosphor_png(const JonesRun& run);
+[[nodiscard]] Picture phosphor_png(const programs::jones::Outcome& outcome);
 
 inline constexpr core::Duration shutter_time = core::milliseconds(200);
 

@@ -344,8 +344,11 @@ void montani_re_greys_chapter(Page& page, const MontaniReGreys& measured) {
               {"back_plotter_s", "Plotter, back list", "computing, emulated s", &IsolatedScene::back_plotter_s, 4},
               {"front_plotter_s", "Plotter, front list", "computing, emulated s", &IsolatedScene::front_plotter_s, 4}},
              {.notes = {"They \"can be inserted into the FRONT or BACK list, indifferently. The successive computations are reduced if they "
-                        "are inserted into the BACK list\": the silhouette then has fewer substripes while the others are drawn. Scenes whose "
-                        "relations have cycles are left out."}});
+                        "are inserted into the BACK list\". " +
+                            page.claim(greatest(measured.isolated, [](const IsolatedScene& row) { return std::abs(row.front_s / row.back_s - 1); }) < 0.05,
+                                       "Here the two lists differ by less than 5 % on the board, in either sense: few faces have no relation left "
+                                       "while others wait, and the silhouette has hardly fewer substripes without them.") +
+                            " Scenes whose relations have cycles are left out."}});
 }
 
 }  // namespace sightline::report

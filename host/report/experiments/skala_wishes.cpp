@@ -69,7 +69,7 @@ double mean_error_percent(const scene::HeightGrid& mesh, const scene::HeightGrid
 }
 
 void add_contours(std::vector<SmoothContours>& rows, const std::string& name) {
-  const scene::HeightFunction& function = *scene::height_function(name);
+  const scene::HeightFunction function = *scene::height_function(name);
   const scene::HeightGrid reference = scene::sample(function, {reference_points, reference_points});
   const skala::Outcome right = base::value_of(skala::run(order_of(reference, Subject::contours)), name);
   scene::HeightGrid known = scene::sample(function, {known_points, known_points});

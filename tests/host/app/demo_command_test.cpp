@@ -68,11 +68,12 @@ TEST_F(DemoCommand, PrintsTenLinesAndWritesThePageWithItsPictures) {
     EXPECT_GT(entry.file_size(), 300U) << name;
     EXPECT_TRUE(!name.ends_with(".png") || named.contains(name)) << name;
   }
-  // Five scenes in four ways; eight functions in four ways and one plot in three; three scenes in stripes, one also with smooth edges.
-  EXPECT_EQ(pictures, 5 * 4 + 8 * 4 + 3 + 4);
+  // Five scenes in four ways; two walks in three; eight functions in four ways and one plot in three; three scenes in stripes, one also
+  // with smooth edges.
+  EXPECT_EQ(pictures, 5 * 4 + 2 * 3 + 8 * 4 + 3 + 4);
   for (const char* text : {"How fast?", "How wrong?", "Against what?", "jones-pdp7", "corridor32", "boxes-8, parallel", "rosen",
                            "turn-pdp7", "<details>", "nothing wrong", ">near 0 %</text>", ">8 of 8</td>", "prefers-color-scheme: dark", "name=\"viewport\"", "class=\"answer-plot\"",
-                           "jones-pdp7 without EAE", "A solid turning on the PDP-7", "between its samples the function is up to"})
+                           "jones-pdp7 without EAE", "A solid turning on the PDP-7", "A walk from cell to cell on the PDP-7", "between its samples the function is up to"})
     EXPECT_TRUE(has(page, text)) << text;
   for (const char* text : {"<script", "http://www.example", "https://", ">0 of 8</td>", ">error 0</text>", "time here", " us</", "&#181;"})
     EXPECT_FALSE(has(page, text)) << text;
@@ -94,6 +95,11 @@ TEST_F(DemoCommand, AsJsonInAFolderOfAnyName) {
   for (const json& view : document.at("views")) {
     EXPECT_EQ(view.at("status"), "complete");
     EXPECT_LE(view.at("core_words_used").get<int>(), 8192);
+  }
+  ASSERT_EQ(document.at("walks").size(), 4U);
+  for (const json& walk : document.at("walks")) {
+    EXPECT_GE(walk.at("cells_entered").get<int>(), 3);
+    EXPECT_LE(walk.at("core_words_used").get<int>(), 8192);
   }
   ASSERT_EQ(document.at("turns").size(), 4U);
   ASSERT_EQ(document.at("flights").size(), 4U);

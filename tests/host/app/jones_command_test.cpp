@@ -132,6 +132,50 @@ TEST_F(JonesCommand, ASwitchScriptMovesTheEye) {
   EXPECT_FALSE(exists("none"));
 }
 
+TEST_F(JonesCommand, AWalkFromCellToCell) {
+  const Ran ran = sightline({"jones", "house", "--walk", "left 100 in 380, up 9999, in 1", "--check"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(has(ran.out, "eye 480,160,20 in cell 0\n")) << ran.out;
+  EXPECT_TRUE(has(ran.out, "eye 380,160,401 in cell 2\n")) << ran.out;  // through the door
+  EXPECT_TRUE(has(ran.out, "eye 380,249,401 in cell 2, stopped by a wall along y\n")) << ran.out;
+  EXPECT_TRUE(has(ran.out, "eye 380,249,402 in cell 2\n")) << ran.out;
+  EXPECT_TRUE(is_png("out/house.png"));
+  const json walk = report({"house", "--no-eae", "--walk", "in 9999 right 9999"});
+  EXPECT_EQ(walk.at("walk"), true);
+  ASSERT_EQ(walk.at("views").size(), 2U);
+  EXPECT_EQ(walk.at("views")[0].at("stopped"), json::array());
+  EXPECT_EQ(walk.at("views")[1].at("stopped"), json({"x", "z"}));
+  EXPECT_EQ(walk.at("views")[1].at("eye"), json({599, 160, 399}));
+  EXPECT_EQ(walk.at("views")[1].at("cell"), 0);
+  const json still = report({"house", "--at", "599,160,399"});
+  EXPECT_EQ(still.at("walk"), false);
+  EXPECT_FALSE(still.at("views")[1].contains("cell"));
+  EXPECT_EQ(still.at("views")[1].at("display_words"), walk.at("views")[1].at("display_words"));
+}
+
+TEST_F(JonesCommand, AWalkByTheSwitches) {
+  NEEDS_OPTIMISED_CODE();
+  write("in.txt", "0 20000\n");
+  const json walk = report({"corridor8", "--walk", "switches", "--switches", "in.txt", "--views", "60"});
+  EXPECT_GE(walk.at("views")[59].at("cell").get<int>(), 0);
+  EXPECT_GT(walk.at("views")[59].at("eye")[2].get<int>(), walk.at("views")[0].at("eye")[2].get<int>());
+}
+
+TEST_F(JonesCommand, WrongWalks) {
+  for (const Arguments& wrong : {Arguments{"house", "--walk", "north 5"}, Arguments{"house", "--walk", "in 5,"}, Arguments{"house", "--walk", "in 5 out 5"},
+                                 Arguments{"house", "--walk", ""}, Arguments{"house", "--walk", "in 5", "--views", "3"}, Arguments{"house", "--walk", "in 5", "--switches", "x"}}) {
+    Arguments arguments{"jones"};
+    arguments.insert(arguments.end(), wrong.begin(), wrong.end());
+    const Ran ran = sightline(arguments);
+    EXPECT_EQ(ran.exit_code, 2) << wrong[2] << ran.err;
+    EXPECT_TRUE(has(ran.err, "--walk")) << ran.err;
+    EXPECT_FALSE(exists("out"));
+  }
+  const Ran on_a_plane = sightline({"jones", "house", "--walk", "in 5", "--at", "250,120,620"});
+  EXPECT_EQ(on_a_plane.exit_code, 4);
+  EXPECT_TRUE(has(on_a_plane.err, "too close to the faces of cell")) << on_a_plane.err;
+}
+
 TEST_F(JonesCommand, TheCheckAddsNothing) {
   const Ran plain = sightline({"jones", "house", "--scale", "700", "--json"});
   const Ran checked = sightline({"jones", "house", "--scale", "700", "--json", "--check"});

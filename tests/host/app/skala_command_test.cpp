@@ -86,7 +86,9 @@ TEST_F(SkalaCommand, SubdividesCells) {
   const json fine = report({"contours", "peaks", "--slices", "9", "--points", "11", "--subdivide", "3", "--check", "-o", "fine"});
   EXPECT_EQ(fine.at("slices"), 25);
   EXPECT_EQ(fine.at("points"), 31);
-  EXPECT_GT(fine.at("t_states").get<std::int64_t>(), 3 * coarse.at("t_states").get<std::int64_t>());
+  // Nine times the cells, each with the lines of its borders and contours.
+  EXPECT_GT(fine.at("command_bytes").get<int>(), 3 * coarse.at("command_bytes").get<int>());
+  EXPECT_GT(fine.at("t_states").get<std::int64_t>(), coarse.at("t_states").get<std::int64_t>());
   expect_failure({"contours", "peaks", "--subdivide", "1"}, 2, "--subdivide");
   expect_failure({"contours", "peaks", "--slices", "33", "--points", "33", "--subdivide", "40"}, 4, "at most 1024 by 1024");
 }

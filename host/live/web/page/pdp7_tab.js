@@ -39,7 +39,7 @@ export class Pdp7Tab {
     this.turning = new Turning(module, solids, this);
     this.examples = examples.filter(each => each.machine === 'pdp7');
     this.remember = remember;
-    this.options = {program: 'house', eae: true, stereo: false, immediate: false, redCyan: false, exact: false, glow: 'p7', scale: 512, speed: 1, switches: 0};
+    this.options = {program: 'house', eae: true, stereo: false, immediate: false, redCyan: false, exact: false, through: false, glow: 'p7', scale: 512, speed: 1, switches: 0};
     this.id = 0;
     this.clock = new Clock(seconds => this.picture(seconds));
     this.litAt = new Float64Array(65536).fill(-1e18);  // time at which each block of 4 by 4 points was last lit
@@ -98,6 +98,7 @@ export class Pdp7Tab {
         this.message,
         group('Program', this.programs),
         this.walk = group('Walk: hold a switch, or its key', this.walkPad(),
+          this.through = check('Through portals, from cell to cell', o.through, set('through'), 'The program finds the cell of the eye and follows it through portals, which Jones left out. Otherwise the eye stays in the cell where it begins.'),
           button('Back to the start', () => { o.switches = 0; this.restart(); }, 'Back to the start: the program begins again, from the place where the walk began')), this.turning.group,
         fold('Options', speed, this.glow,
           this.eae = check('EAE: multiply and divide in hardware', o.eae, set('eae'), 'The extended arithmetic element, an option of the PDP-7. Without it the program multiplies and divides by subroutines, and is slower.'),
@@ -230,7 +231,7 @@ export class Pdp7Tab {
       made = restored;
       this.labels = made.labels && this.walks.has(o.program) ? made.labels : null;
     } else if (this.walks.has(o.program)) {
-      made = this.module.ask({do: 'jones', scene: o.program, eae: o.eae, stereo: o.stereo, immediate: o.immediate, scale: o.scale, switches: o.switches});
+      made = this.module.ask({do: 'jones', scene: o.program, eae: o.eae, walk: o.through, stereo: o.stereo, immediate: o.immediate, scale: o.scale, switches: o.switches});
       this.labels = made.labels;
     } else if (this.turns) {
       made = this.turning.make();
@@ -278,6 +279,7 @@ export class Pdp7Tab {
     if (this.labels) { o.stereo = Boolean(word & 1); o.immediate = Boolean(word & 2); }
     o.switches = this.labels ? word & ~3 : word;
     this.eae.box.checked = o.eae;
+    this.through.box.checked = o.through;
     this.stereo.box.checked = o.stereo;
     this.immediate.box.checked = o.immediate;
   }
@@ -304,8 +306,12 @@ export class Pdp7Tab {
     if (made.error) return made.error.includes('section "reader"') ? `${made.error}\nOpen the tape first, or choose the solid that turned, and then open the snapshot.` : made.error;
     o.eae = eae;
     for (const program of new Set([...likely, ...this.walks])) {
-      const labels = this.walks.has(program) && this.labelsIn(made.id, program);
-      if (labels) return this.goOn(program, {...made, labels});
+      for (const through of [false, true]) {
+        const labels = this.walks.has(program) && this.labelsIn(made.id, program, through);
+        if (!labels) continue;
+        o.through = through;
+        return this.goOn(program, {...made, labels});
+      }
     }
     const program = `snapshot ${name}`;
     this.keep({name: program, snapshot: name, with: given});
@@ -317,17 +323,17 @@ export class Pdp7Tab {
     return '';
   }
   // The labels of Jones's program with a scene, if the machine has them in core: all words of the scene, and those of the program except a few
-  // that it changes.
-  labelsIn(id, scene) {
+  // that it changes. A program that goes through portals changes the scene's header and the records of its portals.
+  labelsIn(id, scene, through) {
     const {module} = this;
-    const fresh = module.ask({do: 'jones', scene, eae: this.options.eae});
+    const fresh = module.ask({do: 'jones', scene, eae: this.options.eae, walk: through});
     if (fresh.error) return null;
     const {labels} = fresh;
     let changed = 0;
     for (let at = 0; at < CORE; ++at) {
       const word = module.word(fresh.id, at);
       const ofScene = at >= labels.scene && at < labels.scene + fresh.scene_words;
-      if (word !== module.word(id, at) && (word || ofScene)) changed += ofScene ? CORE : 1;
+      if (word !== module.word(id, at) && (word || ofScene && !through)) changed += ofScene ? CORE : 1;
     }
     module.ask({do: 'drop', id: fresh.id});
     return changed <= 16 ? labels : null;
@@ -636,6 +642,10 @@ export class Pdp7Tab {
       ['Refresh', refresh], ['Next', state.status.split('\n')[0]]];
     if (this.turns) rows.push(...this.turning.facts(now.time));
     if (this.lines) rows.push(['Exact lines', this.differences()]);
+    if (this.labels?.stops && this.options.through) {
+      const stops = this.module.word(this.id, this.labels.stops), status = this.module.word(this.id, this.labels.status);
+      rows.push(['Walk', status === 7 ? 'the eye is in no cell' : stops ? `a wall stops the eye along ${['x', 'y', 'z'].filter((_, axis) => stops >> axis & 1).join(', ')}` : 'free']);
+    }
     if (this.view) rows.push(['View', `${this.view.views}, eye ${this.view.eye.join(' ')}, scale ${this.view.scale}`]);
     this.facts.show(rows);
   }
@@ -656,6 +666,7 @@ export class Pdp7Tab {
     const parts = new URLSearchParams();
     if (o.switches) parts.set('switches', o.switches.toString(8));
     if (!o.eae) parts.set('eae', '0');
+    if (o.through) parts.set('through', '1');
     if (o.stereo) parts.set('stereo', '1');
     if (o.immediate) parts.set('immediate', '1');
     if (o.exact) parts.set('exact', '1');
@@ -668,11 +679,12 @@ export class Pdp7Tab {
   open(part, query) {
     const o = this.options;
     const program = part ? named('program', part, [...this.programs.select.options].map(each => each.value), query) : o.program;
-    const given = optionsOf(query, {switches: octal(6), eae: flag, stereo: flag, immediate: flag, exact: flag, scale: number(64, 4096), glow: oneOf(Object.keys(AFTERGLOWS))});
-    Object.assign(o, {switches: 0, eae: true, stereo: false, immediate: false, exact: false, scale: 512, glow: 'p7', ...given, program});
+    const given = optionsOf(query, {switches: octal(6), eae: flag, through: flag, stereo: flag, immediate: flag, exact: flag, scale: number(64, 4096), glow: oneOf(Object.keys(AFTERGLOWS))});
+    Object.assign(o, {switches: 0, eae: true, through: false, stereo: false, immediate: false, exact: false, scale: 512, glow: 'p7', ...given, program});
     this.scale.input.value = o.scale;
     this.programs.select.value = o.program;
     this.eae.box.checked = o.eae;
+    this.through.box.checked = o.through;
     this.stereo.box.checked = o.stereo;
     this.immediate.box.checked = o.immediate;
     this.exact.box.checked = o.exact;

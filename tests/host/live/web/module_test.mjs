@@ -73,6 +73,16 @@ for (const scene of ['house', 'roberts', 'street4', 'corridor8', 'corridor32']) 
   for (let view = 0; view < views; ++view) compareJones(scene, view % 2 === 0, view === 0 ? 0 : dice(256) << 10 | dice(4));
 }
 
+// --- With the walk the switches left and in lead through the door of the kitchen, without it to the wall beside the door.
+for (const walk of [false, true]) {
+  const made = ask({do: 'jones', scene: 'house', walk, switches: 0o420000});
+  module.run(made.id, 12e9);
+  const [x, z] = ['ex', 'ez'].map(name => module.word(made.id, made.labels[name]));
+  check(x === 1 && (walk ? z > 500 && z < 750 : z === 399), `house, ${walk ? 'with' : 'without'} the walk: the eye is at x ${x}, z ${z}`);
+  check(module.word(made.id, made.labels.status) === 0, 'and its view is complete');
+  ask({do: 'drop', id: made.id});
+}
+
 // --- A snapshot of the command continues in a machine with its configuration: saved again it has the same bytes, immediately and
 // later.
 writeFileSync(join(folder, 'bare.oct'), '00100: 060110 600100\n');
