@@ -253,7 +253,7 @@ std::string text_in(const std::filesystem::path& path) {
 }
 
 TEST(I8080Vectors, TheFilesAreCompleteAndTheEnginesPassThem) {
-  const std::size_t cases = static_cast<std::size_t>(tests::effort(100, 4));
+  const auto cases = static_cast<std::size_t>(tests::effort(100, 4));
   const auto folder = folder_of("--cases " + std::to_string(cases), "whole");
   std::size_t files = 0;
   for ([[maybe_unused]] const auto& each : std::filesystem::directory_iterator(folder)) ++files;
