@@ -77,7 +77,11 @@ void warn_of_units(const scene::LoadedScene& loaded, const MeshArguments& mesh) 
 }
 
 scene::LoadedScene load_scene(const std::string& argument, const MeshArguments& mesh, Wires wires) {
-  scene::LoadedScene loaded = load_found(find_scene(argument), mesh.import_options());
+  return load_scene(find_scene(argument), argument, mesh, wires);
+}
+
+scene::LoadedScene load_scene(scene::SceneFile file, const std::string& argument, const MeshArguments& mesh, Wires wires) {
+  scene::LoadedScene loaded = load_found(std::move(file), mesh.import_options());
   warn_of_changes(loaded.report);
   warn_of_units(loaded, mesh);
   loaded.name = argument;

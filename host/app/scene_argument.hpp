@@ -52,6 +52,9 @@ enum class Wires { remove, keep };
 // bad_input: the first defect, or a scene that consists of wires only and wires are removed.
 [[nodiscard]] scene::LoadedScene load_scene(const std::string& argument, const MeshArguments& mesh = {},
                                             Wires wires = Wires::remove);
+// The same for a scene that was found.
+[[nodiscard]] scene::LoadedScene load_scene(scene::SceneFile file, const std::string& argument, const MeshArguments& mesh,
+                                            Wires wires = Wires::remove);
 // The same for scenes of cells; any other scene is an error of usage or bad_input.
 [[nodiscard]] scene::CellScene load_cells(const std::string& argument);
 

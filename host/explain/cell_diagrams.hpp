@@ -13,7 +13,7 @@
 
 namespace sightline::explain {
 
-inline constexpr std::size_t most_cell_diagrams = 400;
+inline constexpr std::size_t most_cell_diagrams = 1000;
 
 // In millimetres. The first field is the graph: a ring with its number for each cell, a line for each pair of cells that
 // portals join (with their number, if there are several). Then a field for each cell: its edges, those at the back

@@ -151,7 +151,7 @@ class ExactTurn {
     const scene::PolyCamera camera = camera_of(angle);
     const auto view = chooser_ ? view_of(prepared_, camera, chooser_->at(camera)) : prepared_.view(camera);
     lines.clear();
-    if (!view) return;  // `exact` draws every view
+    if (!view) base::give_up("exact did not draw a view of a turn: " + view.error().message());
     for (const picture::LinePiece& piece : view->picture.pieces)
       add(piece.edge, angle, piece.low.to_double(), piece.high.to_double(), lines);
   }

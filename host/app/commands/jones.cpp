@@ -111,8 +111,10 @@ std::string summary_of(const JonesArguments& arguments, const scene::CellScene& 
     const jones::View& each = outcome.views[n];
     text += fmt::format("{:<17}{:.3f} s{}", fmt::format("view {}", n + 1), core::in_seconds(each.time),
                         n == 0 ? " (display dark)" : " (picture being refreshed)");
-    if (arguments.walk.has_value())
-      text += fmt::format(", eye {},{},{} in cell {}", each.eye[0], each.eye[1], each.eye[2], each.cell);
+    if (arguments.walk.has_value()) {
+      text += fmt::format(", eye {},{},{} in {}", each.eye[0], each.eye[1], each.eye[2],
+                          each.cell < scene.cells.size() ? fmt::format("cell {}", each.cell) : "no cell");
+    }
     if (each.stops != 0) text += fmt::format(", stopped by a wall along {}", jones::axes_of(each.stops));
     text += "\n";
   }

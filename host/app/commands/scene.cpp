@@ -467,7 +467,9 @@ void write_counts(const DecomposeArguments& arguments, const scene::CellComplex&
 // The format of a drawing of the cells; nullopt: the file is JSON.
 std::optional<hidden_lines::Format> drawing_format(const std::string& path) {
   using hidden_lines::Format;
-  const auto format = hidden_lines::format_named(path.substr(std::min(path.size(), path.rfind('.') + 1)));
+  const std::size_t dot = path.rfind('.');
+  if (dot == std::string::npos) return std::nullopt;
+  const auto format = hidden_lines::format_named(path.substr(dot + 1));
   const bool drawing = format == Format::svg || format == Format::pdf || format == Format::png || format == Format::dxf;
   return drawing ? format : std::nullopt;
 }

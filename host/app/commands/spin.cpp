@@ -17,10 +17,12 @@
 #include "host/app/edge_options.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/progress.hpp"
+#include "host/geometry/vector.hpp"
 #include "host/picture/apng.hpp"
 #include "host/picture/vector_drawing.hpp"
 #include "host/programs/turn/tape.hpp"
 #include "host/scene/check/crossings.hpp"
+#include "host/scene/model/file_units.hpp"
 
 namespace sightline::app {
 namespace {
@@ -74,22 +76,51 @@ scene::PolyScene turn_upright(scene::PolyScene scene, std::string_view vertical)
 
 constexpr std::array<double, 2> distances{1.05, 8};
 
-// How the eye goes round the scene. A scene of small numbers is enlarged, so that the eye can be placed finely.
+// The radius of a ball about the middle that contains all vertices, in units of the grid.
+double radius_of(const scene::PolyScene& scene) {
+  const scene::PolyPoint middle = scene::bounds_of(scene).middle();
+  double radius = 1;
+  for (const scene::PolyPoint& v : scene.vertices)
+    radius = std::max(radius, geometry::length(geometry::difference(geometry::real_vector(v), geometry::real_vector(middle))));
+  return radius;
+}
+
+// The eye's coordinates, like those of vertices, are below poly_coordinate_limit; it goes round the origin.
+constexpr double farthest_eye = scene::poly_coordinate_limit - 2;
+
+// A mesh is rounded to a coarser grid if the eye at that distance would be outside it: as if there were an eye this far away.
+// nullopt: there is room.
+std::optional<std::array<double, 3>> far_eye(const scene::PolyScene& scene, double distance) {
+  const double far = distance * radius_of(scene);
+  if (far <= farthest_eye) return std::nullopt;
+  std::array<double, 3> eye = scene::file_point(scene, scene::bounds_of(scene).middle());
+  eye[0] += 2.2 * far * scene.step;  // the grid's width is twice the limit
+  return eye;
+}
+
+// How the eye goes round the scene, whose middle is moved to the origin. A scene of small numbers is enlarged, so that the eye can be
+// placed finely. Error bad_input: the eye would be outside the grid.
 registry::EyeCircle circle_about(scene::PolyScene& scene, const SpinOptions& options, std::string_view vertical) {
   registry::EyeCircle circle;
   const scene::PolyPoint middle = scene::bounds_of(scene).middle();
   std::int32_t largest = 1;
-  for (const scene::PolyPoint& v : scene.vertices) {
-    for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, std::abs(v[i]));
-  }
-  const std::int32_t factor = std::max((scene::poly_coordinate_limit / 2) / largest, 1);
-  double reach = 1;
   for (scene::PolyPoint& v : scene.vertices) {
-    for (std::int32_t& c : v) c *= factor;
-    reach = std::max(reach, std::hypot(static_cast<double>(v[0]) - middle[0] * factor, static_cast<double>(v[1]) - middle[1] * factor,
-                                       static_cast<double>(v[2]) - middle[2] * factor));
+    for (std::size_t i = 0; i < 3; ++i) {
+      v[i] -= middle[i];
+      largest = std::max(largest, std::abs(v[i]));
+    }
   }
-  for (std::size_t i = 0; i < 3; ++i) circle.about[i] = std::int64_t{middle[i]} * factor;
+  double radius = radius_of(scene);
+  std::int32_t factor = std::max((scene::poly_coordinate_limit / 2) / largest, 1);
+  if (options.distance) {
+    if (*options.distance * radius > farthest_eye)
+      throw base::bad_input(fmt::format("{}: found coordinates too large for --distance {:g}, expected at most {:g}", options.scene, *options.distance,
+                                        std::floor(farthest_eye / radius * 100) / 100));
+    factor = std::min(factor, static_cast<std::int32_t>(farthest_eye / (*options.distance * radius)));
+  }
+  for (scene::PolyPoint& v : scene.vertices)
+    for (std::int32_t& c : v) c *= factor;
+  radius *= factor;
   if (!options.axis.empty()) {
     const geometry::Point axis = point_argument("--axis", options.axis);
     if (axis == geometry::Point{}) throw base::usage_error("--axis: found 0,0,0, expected a direction");
@@ -101,7 +132,7 @@ registry::EyeCircle circle_about(scene::PolyScene& scene, const SpinOptions& opt
     circle.axis = {turned[0], turned[1], turned[2]};
   }
   circle.perspective = options.distance.has_value();
-  const double far = circle.perspective ? *options.distance * reach : 0x1p20;
+  const double far = circle.perspective ? *options.distance * radius : 0x1p20;
   const double elevation = options.elevation.value_or(0) * degree;
   circle.eye = {0, std::llround(far * std::sin(elevation)), std::llround(far * std::cos(elevation))};
   return circle;
@@ -212,7 +243,10 @@ void spin(const SpinOptions& options) {
       if (found) throw base::usage_error(fmt::format("{}: found with {}, expected a turn about the vertical axis, level and in parallel projection", other, given));
     }
   }
-  const scene::LoadedScene source = load_scene(options.scene, options.mesh);
+  scene::SceneFile file = find_scene(options.scene);
+  MeshArguments mesh = options.mesh;
+  if (options.distance) mesh.eye = far_eye(load_found(file, mesh.import_options()).scene, *options.distance);
+  const scene::LoadedScene source = load_scene(std::move(file), options.scene, mesh);
   if (!options.tape.empty()) write_tape(source.scene, options);
   const std::string vertical = options.vertical.empty() ? std::string(1, "xyz"[source.report.vertical.value_or(1)]) : options.vertical;
   scene::PolyScene scene = turn_upright(source.scene, vertical);

@@ -132,6 +132,10 @@ std::optional<base::Result<SceneFile>> named_scene(const std::string& name) {
     if (!scene) return std::move(scene.error());
     return SceneFile{.name = name, .generated = std::move(*scene)};
   }
+  const auto models = builtin_model_names();
+  const bool is_model = std::find(models.begin(), models.end(), name) != models.end();
+  // A file of that name is meant, as for generated scenes.
+  if (is_model && base::file_status(name).kind != base::FileStatus::Kind::none) return std::nullopt;
   if (const auto text = builtin_scene_text(name))
     return SceneFile{.name = name, .text = std::string(*text), .builtin = true};
   return std::nullopt;

@@ -44,9 +44,9 @@ TEST_F(SceneDecomposeCommand, DrawsTheCells) {
   EXPECT_TRUE(read("house.pdf").starts_with("%PDF"));
   ASSERT_EQ(sightline({"scene", "decompose", "boxes-2", "-o", "boxes.png"}).exit_code, 0);
   EXPECT_TRUE(read("boxes.png").starts_with("\x89PNG"));
-  const Ran many = sightline({"scene", "decompose", "boxes-300", "-o", "many.svg"});
+  const Ran many = sightline({"scene", "decompose", "boxes-1000", "-o", "many.svg"});
   EXPECT_EQ(many.exit_code, 2);
-  EXPECT_TRUE(has(many.err, "expected at most 400 for diagrams")) << many.err;
+  EXPECT_TRUE(has(many.err, "expected at most 1000 for diagrams")) << many.err;
   EXPECT_FALSE(exists("many.svg"));
 }
 

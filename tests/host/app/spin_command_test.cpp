@@ -117,6 +117,19 @@ TEST_F(SpinCommand, TurnsAboutAnyAxisAndInPerspective) {
   refused({"--elevation", "5", "--tolerance", "1"}, "--tolerance: found with --elevation");
 }
 
+// An eye far away stays within the coordinates of both methods, also for a mesh that fills the grid.
+TEST_F(SpinCommand, MethodsAgreeFromFarAway) {
+  write_models();
+  for (const char* const scene : {"bars", "two.off"}) {
+    for (const char* const method : {"exact", "plantinga"}) {
+      const auto ran = sightline({"spin", scene, "--axis", "1,3,0", "--elevation", "20", "--distance", "8", "--step", "60", "--size", "128", "--method", method,
+                                  "-o", std::string(method) + ".apng"});
+      ASSERT_EQ(ran.exit_code, 0) << scene << ran.err;
+    }
+    EXPECT_EQ(read("exact.apng"), read("plantinga.apng")) << scene;
+  }
+}
+
 TEST_F(SpinCommand, SavesAndReusesEvents) {
   write_models();
   const sightline::test::Arguments spin{"spin", "two.off", "--events", "two.events", "--size",

@@ -180,7 +180,7 @@ TEST(CellDiagrams, HaveALimit) {
   complex.cells.resize(most_cell_diagrams + 1);
   const auto drawing = cell_diagrams(complex, {});
   ASSERT_FALSE(drawing);
-  EXPECT_NE(drawing.error().message().find("found 401 cells, expected at most 400"), std::string::npos) << drawing.error().message();
+  EXPECT_NE(drawing.error().message().find("found 1001 cells, expected at most 1000"), std::string::npos) << drawing.error().message();
 }
 
 }  // namespace

@@ -141,8 +141,8 @@ TEST(Verify, ProvesSolidsThatPassThroughEachOther) {
 
 TEST(Verify, ProvesMeshesWithChosenEdges) {
   std::size_t meshes = 0;
-  for (const char* folder : {"/models", "/drawing", "/meshes"}) {
-    for (const auto& file : std::filesystem::directory_iterator(std::string(SIGHTLINE_TEST_DATA) + folder)) {
+  for (const std::string folder : {SIGHTLINE_TEST_DATA "/drawing", SIGHTLINE_TEST_DATA "/meshes", SIGHTLINE_SOURCE_DIR "/host/scene/read/builtin"}) {
+    for (const auto& file : std::filesystem::directory_iterator(folder)) {
       const auto mesh = hidden_lines::load(file.path().string());
       if (!mesh || mesh->scene.bodies.empty() || scene::face_count(mesh->scene) > 20000) continue;
       ++meshes;

@@ -128,6 +128,22 @@ TEST(JonesRuns, CheckOnlyOnRequest) {
   EXPECT_EQ(checked.error().kind, base::ErrorKind::differs);
 }
 
+// The picture of a view whose lines were added at once is complete: it lights the points of the view computed in the dark.
+TEST(JonesRuns, ShowTheCompletePictureOfLinesAddedAtOnce) {
+  for (const char* const name : {"house", "roberts", "street4"}) {
+    const auto points = [&](bool immediate) {
+      Order order;
+      order.immediate = immediate;
+      const auto outcome = run(scene::builtin_scene(name), {}, order);
+      EXPECT_TRUE(outcome) << name;
+      std::set<std::pair<int, int>> lit;
+      for (const core::Stroke& stroke : outcome->pass) lit.emplace(stroke.x, stroke.y);
+      return lit;
+    };
+    EXPECT_EQ(points(true), points(false)) << name;
+  }
+}
+
 // A film of lines added at once: what it lights is in the complete picture, and it is lit little by little.
 TEST(JonesRuns, FilmLinesThatAreAddedAtOnce) {
   Order order;
