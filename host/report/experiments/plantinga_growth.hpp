@@ -1,9 +1,9 @@
 // How the events of a turn grow with the scene, and what they take beside the frames of the turn: Plantinga, Seales and Dyer
 // (1990) give orders of growth and no numbers.
 //
-// Families, from about 10 to about 3,000 faces (the cloud to 1,000 and the fences to 96, with Context::full to 3,000 and 192): a torus, of which
-// little is hidden; boxes apart, which hide each other; a cloud of triangles, each before and behind many others; and three
-// fences of bars, one behind the other in three directions, where every three bars meet in the image: the worst case.
+// Families, from about 10 to about 3,000 faces: a torus, of which little is hidden; boxes apart, which hide each other; a cloud of
+// triangles, each before and behind many others, up to 1,000 without Context::full; and three fences of bars, one behind the other
+// in three directions, up to 96 faces (192 with Context::full), where every three bars meet in the image: the worst case.
 #pragma once
 
 #include <cstddef>
