@@ -3,7 +3,7 @@
 //
 // An enclosure is found in doubles with bounds for every rounding error, so it is certain, but not exact: roots that are too
 // near to be told apart share one. Nothing depends on that but the number of events: a structure is only computed between
-// enclosures, exactly, and a view within one is drawn from scratch.
+// enclosures, exactly. Within one, no structure is known.
 #pragma once
 
 #include <vector>

@@ -1,8 +1,8 @@
 // The visual events of a full turn about any axis, in parallel projection or perspective.
 //
 // An event is not an exact direction here, as in event_list.hpp, but an enclosure: all its changes happen within it, most often
-// 10^-14 radians wide, and nothing changes between two enclosures. A view within one is drawn from scratch, so every picture is
-// exact.
+// 10^-14 radians wide, and nothing changes between two enclosures, where the visible pieces are exact. Within one,
+// `passed_at` reports no view; a user of `list`, such as `spin`, gets the view before the enclosure.
 #pragma once
 
 #include <cstddef>

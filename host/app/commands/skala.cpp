@@ -101,7 +101,7 @@ void add_machine_options(const Command& command, SkalaArguments& arguments) {
       .value("NAME");
   command.flag("--no-visibility", arguments.no_visibility, "Draw everything: the program without its visibility test");
   command.flag("--direct-masks", arguments.order.direct_masks,
-               "Leave out the temporary masks M1T and M1B: every dot changes the masks at once; counts the wrong dots");
+               "Leave out the temporary masks M1T and M1B: every dot changes the masks at once; on a raster board, counts the wrong dots");
   command.flag("--check", arguments.order.check, "Compare the picture with that of the same program in C++");
   command.option("--link", arguments.link, "Link from the host computer; serial has 9600 baud")
       .default_value()

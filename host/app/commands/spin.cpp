@@ -313,7 +313,9 @@ void add_spin_command(const Command& program) {
       .value("AXIS")
       .default_value("that of the file's format, or y");
   command
-      .option("--axis", options->axis, "Turn about this direction through the middle of the scene, in the file's coordinates, such as 1,1,0")
+      .option("--axis", options->axis,
+              fmt::format("Turn about this direction through the middle of the scene, in the file's coordinates, such as 1,1,0; whole numbers from {} to {}",
+                          -registry::most_axis_part, registry::most_axis_part))
       .value("X,Y,Z")
       .default_value("the vertical axis");
   command.option("--elevation", options->elevation, "See the scene from this many degrees above the horizontal")

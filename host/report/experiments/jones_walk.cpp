@@ -118,7 +118,7 @@ void jones_walk_chapter(Page& page, const JonesWalks& walks) {
               {"farthest", "Farthest line", "points", &Step::farthest, 2},
               {"bound", "Bound", "points", &Step::bound, 2}},
              {{"Jones left out what he called ideal, \"complete freedom of movement of the viewpoint\", because it needs the planes of the cells. Here the "
-               "program has them (`sightline jones house --walk \"in 100\"`): it finds the cell of the eye and follows it through portals as the switches move it. "
+               "program has them (`sightline jones house --walk \"in 100\"`): it finds the cell of the eye and follows it through portals as the switches move it. The view does not rotate. "
                "The eyes, the cells and the last display file must equal the native twin's, or the report ends with an error. " +
                page.claim(walking <= most_time && walking_without_eae <= most_time, "On the way a view takes at most 1.1 times as long as in the program without the walk from the same eye, on average.", fmt::format("{:.3f} and {:.3f} times", walking, walking_without_eae)) + " " +
                page.claim(near, "No line is farther from the exact ones than the lengths of words allow.")}});
@@ -132,7 +132,7 @@ void jones_walk_chapter(Page& page, const JonesWalks& walks) {
               {"used_words_standing", "Without the walk", "words", &Words::used_words_standing},
               {"core_words", "Capacity", "words", [](const Words&) { return jones::core_words; }}},
              {{"A plane is one word, because all planes are parallel to two axes. Three of a cell's six are in its origin, which Jones's elements have too. The records "
-               "of the openings are beside them, not in a table of fixed size, which frees more words than the walk needs."}});
+               "of the openings are beside them, not in a table of fixed size."}});
   page.gallery("jones-walk-screens", "Jones: where the walks end, photographed", walks.last, [](const std::pair<std::string, Picture>& last) {
     return figure(last.second, "walk-" + last.first, last.first, {"the last view of the walk"}, fmt::format("Hidden-line drawing of the scene {} at the end of a walk, on the Type 340", last.first));
   });

@@ -17,6 +17,7 @@
 #include "host/report/experiments/plantinga_models.hpp"
 #include "host/report/page.hpp"
 #include "host/scene/generate/scene.hpp"
+#include "host/scene/read/builtin.hpp"
 
 namespace sightline::report {
 
@@ -109,7 +110,7 @@ TurnGrowth turn_of(const Context& context, std::string family, std::string name,
   return row;
 }
 
-// Of the larger half, because small scenes have few events of the kind that grows fastest.
+// Without the smallest scene of five, or two of six or seven: small scenes have few events of the kind that grows fastest.
 TurnExponents exponents_of(const std::vector<TurnGrowth>& scenes) {
   const std::vector<TurnGrowth> larger(scenes.begin() + static_cast<std::ptrdiff_t>(scenes.size() / 2 - 1), scenes.end());
   const auto exponent = [&larger](const auto& value) {
@@ -181,8 +182,9 @@ void plantinga_growth_chapter(Page& page, const PlantingaGrowth& growth) {
        {.claim = "plantinga.frames",
         .here = least_and_greatest(models, &TurnGrowth::storage_ratio),
         .places = 1,
-        .condition = "the models of Table 1: 360 frames of visible lines as four 16-bit numbers, over the event file",
-        .comparison = least(models, &TurnGrowth::storage_ratio) > 1 ? "so it is for all models" : "not for all models"}});
+        .condition = fmt::format("{} of the {} models of Table 1: 360 frames of visible lines as four 16-bit numbers, over the event file",
+                                  models.size(), scene::builtin_model_names().size()),
+        .comparison = least(models, &TurnGrowth::storage_ratio) > 1 ? "so it is for each of these models" : "not for each of these models"}});
   page.table("plantinga-growth-scenes", "Plantinga, Seales and Dyer: events and storage of scenes of increasing size", growth.scenes,
              {{"family", "Family", &TurnGrowth::family},
               {"scene", "Scene", &TurnGrowth::scene},
@@ -220,11 +222,11 @@ void plantinga_growth_chapter(Page& page, const PlantingaGrowth& growth) {
                         page.claim(fence_fit.changes > 2.2,
                                    "The fences approach the high end: of three bars in three directions, most meet in some view.",
                                    "the exponent of the fences is " + text_of(fence_fit.changes, 2)) +
-                        " Least squares of logarithms over the larger half of each family."}});
+                        " Least squares of logarithms over the scenes of each family from the number of faces under From to that under To."}});
   Plot plot{"plantinga-growth-plot",
             "Changes of edges in a full turn",
-            "Changes of edges (the paper's events) against faces. Lines: families; points: the models of Table 1.",
-            "Four rising lines on logarithmic axes, the fences the steepest, and single points of the models",
+            "Changes of edges (the paper's events) against faces. Lines: families; points: models of Table 1.",
+            "Four lines on logarithmic axes, one per family, and single points of the models",
             {"faces"},
             {"changes of edges"}};
   for (const TurnExponents& fit : growth.exponents) {

@@ -1,9 +1,9 @@
 // How the events of a turn grow with the scene, and what they take beside the frames of the turn: Plantinga, Seales and Dyer
 // (1990) give orders of growth and no numbers.
 //
-// Families, all from 10 to 3,000 faces but the last: a torus, of which little is hidden; boxes apart, which hide each other; a
-// cloud of triangles, each before and behind many others; and three fences of bars, one behind the other in three directions,
-// where every three bars meet in the image: the worst case.
+// Families, from about 10 to about 3,000 faces: a torus, of which little is hidden; boxes apart, which hide each other; a cloud of
+// triangles, each before and behind many others, up to 1,000 without Context::full; and three fences of bars, one behind the other
+// in three directions, up to 96 faces (192 with Context::full), where every three bars meet in the image: the worst case.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +33,7 @@ struct TurnGrowth {
   [[nodiscard]] double equal_frames() const { return 360 * events_kb / frames_kb(); }
 };
 
-// Growth with the number of faces, by least squares of logarithms over the larger half of a family.
+// Growth with the number of faces, by least squares of logarithms over a family without its smallest scene or two.
 struct TurnExponents {
   std::string family;
   std::size_t from_faces = 0;

@@ -89,7 +89,7 @@ void add_contours(std::vector<SmoothContours>& rows, const std::string& name) {
   }
 }
 
-// The dots of both pictures white, those that are missing red.
+// The dots of the right picture: red where `drawn` has none, white elsewhere.
 picture::Image marked(const core::Raster& drawn, const core::Raster& right) {
   constexpr std::uint8_t white = 7;
   constexpr std::uint8_t red = 4;
@@ -98,7 +98,7 @@ picture::Image marked(const core::Raster& drawn, const core::Raster& right) {
     for (int x = 0; x < 256; ++x) {
       const auto i = static_cast<std::size_t>(y * core::Raster::width + x);
       if (right.points()[i] == 0) continue;
-      marks.set(static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), drawn.points()[i] == right.points()[i] ? white : red);
+      marks.set(static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), drawn.points()[i] == 0 ? red : white);
     }
   }
   return picture::raster_image(marks, picture::RasterPalette::colour, 1);
@@ -155,8 +155,7 @@ void skala_smooth_chapter(Page& page, const SkalaWishes& measured) {
                                     known_points, measured.reference_points),
                         page.claim(fine < coarse,
                                    fmt::format("Cells cut in 4 by 4 have {} wrong dots instead of {}.", fine, coarse),
-                                   fmt::format("{} against {}", fine, coarse)),
-                        "What remains is what 17 by 17 heights do not tell of the function."}});
+                                   fmt::format("{} against {}", fine, coarse))}});
   page.gallery("skala-smooth-pictures", "Contours of the mesh, and of cells cut in 4 by 4",
                where(contours, [](const SmoothContours& row) { return row.parts == 1 || row.parts == 4; }), [](const SmoothContours& row) {
                  return figure(row.raster, fmt::format("skala-smooth-{}-{}", row.function, row.parts), fmt::format("{}, {} by {}.", row.function, row.parts, row.parts),
@@ -175,7 +174,8 @@ void skala_smooth_chapter(Page& page, const SkalaWishes& measured) {
                         "column is hidden by its own first dot there. " +
                         page.claim(sum(where(masks, equals(&DirectMasks::picture, "lines")), &DirectMasks::extra) == 0,
                                    "Lines lose dots and gain none.")}});
-  page.gallery("skala-direct-pictures", "Dots that are missing without the temporary masks, in red", masks, [](const DirectMasks& row) {
+  page.gallery("skala-direct-pictures", "Dots that are missing without the temporary masks, in red",
+               where(masks, [](const DirectMasks& row) { return row.missing != 0; }), [](const DirectMasks& row) {
     return figure(row.raster, fmt::format("skala-direct-{}-{}", row.function, row.picture), fmt::format("{}, {}.", row.function, row.picture),
                   fmt::format("{} of {} dots missing.", row.missing, row.dots), fmt::format("{} of {} with missing dots in red", row.picture, row.function));
   });
