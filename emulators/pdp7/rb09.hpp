@@ -219,6 +219,7 @@ class Rb09 final : public core::IotDevice {
     visit.require(std::is_sorted(changed_.begin(), changed_.end(),
                                  [](const Sector& a, const Sector& b) { return a.number <= b.number; }),
                   "changed", "sectors in ascending order");
+    visit.require(attached() || changed_.empty(), "changed", "no sectors while no disk is in the drive");
     visit.require_medium(others == sum_of_other_sectors(), "image",
                          "the disk image of the run that made the snapshot, as it was before that run or as the run has written it back");
   }

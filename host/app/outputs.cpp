@@ -29,6 +29,16 @@ bool open_outputs(std::span<const NamedOutput> outputs, bool json, std::string_v
   return uses_stdout;
 }
 
+bool are_one_file(const std::string& a, const std::string& b) {
+  namespace fs = std::filesystem;
+  if (a == "-" || b == "-") return a == b;
+  std::error_code failed;  // an error is reported when the file is opened
+  if (fs::exists(a, failed) && !fs::is_regular_file(a, failed)) return false;
+  if (fs::equivalent(a, b, failed)) return true;
+  const fs::path place = fs::weakly_canonical(fs::absolute(a, failed), failed);
+  return !place.empty() && place == fs::weakly_canonical(fs::absolute(b, failed), failed);
+}
+
 void write_png(Output& output, const picture::Image& image, const picture::TextEntries& text) {
   const auto bytes = picture::encode_png(image, text);
   if (!bytes) throw base::io_error(bytes.error().message());

@@ -24,6 +24,10 @@ struct NamedOutput {
 [[nodiscard]] bool open_outputs(std::span<const NamedOutput> outputs, bool json,
                                 std::string_view stdout_twice = "-: named for two outputs");
 
+// Whether two paths lead to the same file; follows links, and works for files that do not exist yet. `-` is one file, and what is
+// not a regular file (/dev/null) is none.
+[[nodiscard]] bool are_one_file(const std::string& a, const std::string& b);
+
 // Error io: the image exceeds the size limit of PNG.
 void write_png(Output& output, const picture::Image& image, const picture::TextEntries& text);
 

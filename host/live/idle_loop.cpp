@@ -41,11 +41,13 @@ std::optional<Stop> IdleLoop::look(const Limits& limits) {
     look_.under_way = true;
     look_.begun = machine_.ticks();
     look_.polled = false;
+    look_.unchanged = false;
     look_.remember_at = result_.found ? 2 * (look_.compared + 1) : 1;
     look_.most = std::max(look_.most, 2 * look_.remember_at);
     look_.compared = 0;
   }
   if (machine_.halted()) {
+    look_.unchanged = is_as_at_last_look();
     end_look(true);  // the halt ends at a deadline
     return std::nullopt;
   }
@@ -88,6 +90,7 @@ bool IdleLoop::waits_in_vain(std::int64_t seconds) const {
 }
 
 bool IdleLoop::is_back() {
+  look_.unchanged = look_.unchanged || is_as_at_last_look();
   const bool back = remembered_.valid && machine_.register_image() == remembered_.registers && has_same_memory() &&
                     machine_.traffic() == remembered_.traffic;
   if (!back && ++look_.compared == look_.remember_at) {
@@ -114,6 +117,19 @@ bool IdleLoop::has_same_memory() {
   return true;
 }
 
+// Without the word in which the clock of the PDP-7 counts by itself. The words of the 8080 are bytes, and no device counts there.
+bool IdleLoop::is_as_at_last_look() const {
+  const std::span<const std::byte> now = machine_.memory_image();
+  const std::vector<std::byte>& then = last_look_.memory;
+  if (now.size() != then.size() || machine_.register_image() != last_look_.registers) return false;
+  if (now.empty()) return true;  // this machine shows none
+  constexpr std::size_t clock_word = 7;
+  const std::size_t word = now.size() / machine_.words();
+  const std::size_t first = word > 1 ? clock_word * word : 0;
+  const std::size_t rest = word > 1 ? first + word : 0;
+  return std::memcmp(now.data(), then.data(), first) == 0 && std::memcmp(now.data() + rest, then.data() + rest, now.size() - rest) == 0;
+}
+
 void IdleLoop::remember() {
   const std::span<const std::byte> memory = machine_.memory_image();
   remembered_.registers = machine_.register_image();
@@ -136,6 +152,10 @@ void IdleLoop::end_look(bool found) {
     return;
   }
   if (!result_.found) result_ = {true, false, now};
+  if (!look_.unchanged) result_.since = now;
+  const std::span<const std::byte> memory = machine_.memory_image();
+  last_look_.registers = machine_.register_image();
+  last_look_.memory.assign(memory.begin(), memory.end());
   const bool closed = !machine_.has_deadline() && !machine_.halted();
   result_.for_ever = closed && !remembered_.deadline && now - remembered_.time >= second;
   // What a deadline that is over has changed is not in the state that is remembered.

@@ -22,6 +22,7 @@ namespace sightline::live {
 class IdleLoop {
  public:
   // In seconds of emulated time. A program that has only waited for so long, while a clock or a display ran, waits in vain.
+  // The time begins again if registers or memory have changed since the look before: interrupts may count.
   static constexpr std::int64_t patience = 60;
 
   // The machine must outlive it.
@@ -44,6 +45,7 @@ class IdleLoop {
     look_ = {};
     result_ = {};
     remembered_.valid = false;
+    last_look_ = {};
   }
 
  private:
@@ -61,6 +63,7 @@ class IdleLoop {
     bool under_way = false;
     std::int64_t begun = 0;
     bool polled = false;
+    bool unchanged = false;  // the state at the end of the last look has come again
     int compared = 0;  // states
     // After so many, twice as many each time, the state of the moment is remembered: so a loop of any length is found
     // (R. P. Brent, "An improved Monte Carlo factorization algorithm", 1980). A loop that was found before is given the time
@@ -69,6 +72,11 @@ class IdleLoop {
     int most = shortest;  // states to compare
     std::int64_t next = 0;  // when the next look is due
     std::int64_t gap = 0;   // from the end of one to the next
+  };
+  // The state at the end of the last look that found the loop.
+  struct LastLook {
+    std::array<std::uint64_t, 2> registers{};
+    std::vector<std::byte> memory;  // empty: there was none
   };
   struct Result {
     bool found = false;
@@ -80,12 +88,14 @@ class IdleLoop {
   // Whether the state of this moment is the one remembered.
   [[nodiscard]] bool is_back();
   [[nodiscard]] bool has_same_memory();
+  [[nodiscard]] bool is_as_at_last_look() const;
   void remember();
   void end_look(bool found);
 
   machines::Machine& machine_;
   Remembered remembered_;
   std::size_t different_at_ = 0;  // where memory was different last: a counter is different there again
+  LastLook last_look_;
   Look look_;
   Result result_;
 };

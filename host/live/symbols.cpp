@@ -28,6 +28,14 @@ bool is_sym_address(std::string_view word) {
          std::all_of(word.begin(), word.end(), [](char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; });
 }
 
+// Bytes of a damaged file, for a message.
+std::string printable(std::string_view text) {
+  std::string shown(text);
+  for (char& c : shown)
+    if (c < ' ' || c > '~') c = '?';
+  return shown;
+}
+
 // No name begins with a digit. Whether FACE is a name or an address depends on what follows.
 bool begins_as_sym(std::string_view text) {
   std::string_view rest = without_blanks(text);
@@ -62,7 +70,7 @@ base::Result<base::Done> Symbols::add_sym(std::string_view text) {
                            std::all_of(name.begin(), name.end(), [](char c) { return std::isgraph(static_cast<unsigned char>(c)) != 0; });
       if (!is_sym_address(address) || !is_name) {
         return base::Error{.place = fmt::format("line {}", number),
-                           .found = fmt::format("found \"{}{}{}\"", address, name.empty() ? "" : " ", name),
+                           .found = fmt::format("found \"{}{}{}\"", printable(address), name.empty() ? "" : " ", printable(name)),
                            .expected = "an address of four hexadecimal digits and a name, as MAC and LINK write them in a .SYM file"};
       }
       add(name, static_cast<std::uint32_t>(*base::unsigned_number(address, 16)), met);
@@ -83,7 +91,7 @@ base::Result<base::Done> Symbols::add_table(std::string_view text) {
     const auto value = base::unsigned_number(line, radix_);
     if (!value || *value >> 32 != 0) {
       return base::Error{.place = fmt::format("line {}", number),
-                         .found = fmt::format("found \"{}\"", without_blanks(line)),
+                         .found = fmt::format("found \"{}\"", printable(without_blanks(line))),
                          .expected = radix_ == 16 ? "NAME VALUE, as `sightline asm --symbols` writes them, or ADDRESS NAME of a .SYM file"
                                                   : "NAME VALUE, as `sightline asm --symbols` writes them"};
     }

@@ -309,13 +309,23 @@ Cpm::Outcome Cpm::call_files(Processor processor) {
 
 // --- The log ---
 
-// A line: T CALLER FUNCTION NAME DE=XXXX [FILE] HL=XXXX. It has the registers of the answer.
+// A line: T CALLER FUNCTION NAME DE=XXXX [FILE] A=XX HL=XXXX. It has the registers of the answer.
 void Cpm::log_call(Processor processor) {
+  log_call(fmt::format("A={:02X} HL={:04X}", processor.registers.a, processor.registers.hl));
+}
+
+// A call that waits for a key is not in a snapshot: the log of this run has its line.
+void Cpm::finish() {
+  log_call("waits");
+  log_.finish();
+}
+
+void Cpm::log_call(std::string_view answer) {
   if (!call_) return;
   const std::string_view name = function_ < bdos_names.size() ? bdos_names[function_] : function_ == return_code_function ? "Program Return Code" : "unknown";
   log_.write([&](std::string& log) {
-    log += fmt::format("{} {:04X} {} {} DE={:04X}{}{} A={:02X} HL={:04X}\n", call_->time, call_->caller, function_, name, call_->de, call_->file.empty() ? "" : " ",
-                       call_->file, processor.registers.a, processor.registers.hl);
+    log += fmt::format("{} {:04X} {} {} DE={:04X}{}{} {}\n", call_->time, call_->caller, function_, name, call_->de, call_->file.empty() ? "" : " ",
+                       call_->file, answer);
   });
   call_.reset();
 }

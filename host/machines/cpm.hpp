@@ -78,7 +78,7 @@ class Cpm {
 
   // Receives a line for each call of BDOS.
   void take_log(TextTaker taker) { log_.take(std::move(taker)); }
-  void finish() { log_.finish(); }
+  void finish();
 
   // Members of the report: "bdos", if the last call ended the run, "return_code" and "commands".
   void add_details(base::Json& report) const;
@@ -139,6 +139,7 @@ class Cpm {
   Outcome stop_at_call(std::string_view name, i8080::Address entry, Processor processor, std::string_view complaint);
   Outcome stop_with(std::string_view name, std::string complaint);
   void log_call(Processor processor);
+  void log_call(std::string_view answer);
   void wait_for(Waiting what, Processor processor);
   void return_value(i8080::State& registers, std::uint16_t value) const;
   bool key_is_there();

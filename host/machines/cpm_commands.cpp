@@ -33,7 +33,7 @@ std::optional<std::string> read_command(std::string_view line, CpmCommand& comma
     std::string_view rest = command.tail;
     rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
     const auto user = base::whole_number<std::uint8_t>(base::take_word(rest));
-    if (!user || *user > 15) return fmt::format("\"{}\"", line);
+    if (!user || *user > 15 || !base::without_blanks(rest).empty()) return fmt::format("\"{}\"", line);
     command.user = *user;
     return std::nullopt;
   }

@@ -302,6 +302,8 @@ Result<Done> set_up_cpm(const Arguments& arguments, const FileReader& read, I808
   }
   if (!arguments.given("--cpm-run")) return Done{};
   if (cpm.drives.empty()) return base::usage_error("--cpm-run: needs --cpm-drive X=FOLDER: its programs are files of a drive");
+  if (arguments.given("--cpm-args"))
+    return base::usage_error("--cpm-args: found --cpm-run too, expected one of them: each command has its own arguments");
   const Input file = read(arguments.text("--cpm-run"));
   auto commands = read_cpm_commands(file);
   if (!commands) return commands.error();

@@ -172,7 +172,8 @@ std::vector<Json> pin_cases(const PinSet& set, std::size_t number, std::uint64_t
   constexpr std::size_t t_states = 40;
   std::vector<Json> cases;
   for (std::size_t n = 0; n < number; ++n) {
-    Random random(seed, opcodes + (set.interrupt ? 1U : 0U) + (set.ready ? 2U : 0U) + (set.hold ? 4U : 0U), n);
+    // The numbers of these sets are two apart: their cases, up to 100,000, need more seeds than lie between a number and the next.
+    Random random(seed, opcodes + (set.interrupt ? 2U : 0U) + (set.ready ? 4U : 0U) + (set.hold ? 8U : 0U), n);
     Start start{random.state(), {}};
     if (set.interrupt && !random.one_in(4)) start.state.interrupts_on = true;
     start.memory = random.memory(start.state.pc, static_cast<Byte>(n % opcodes));

@@ -3,16 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "host/app/commands/commands.hpp"
 #include "host/app/commands/machine_command.hpp"
 #include "host/app/commands/program_sources.hpp"
+#include "host/app/outputs.hpp"
 
 namespace sightline::app {
 
@@ -25,17 +24,6 @@ using machines::Program;
 
 constexpr std::array<std::pair<const char*, const char*>, 3> output_options{
     {{"-o", "--output"}, {"--listing", "--listing"}, {"--symbols", "--symbols"}}};  // name in messages, name in Arguments
-
-// Whether two paths lead to the same file; follows links, and works for files that do not exist yet.
-bool are_one_file(const std::string& a, const std::string& b) {
-  namespace fs = std::filesystem;
-  if (a == "-" || b == "-") return a == b;
-  std::error_code failed;  // an error is reported when the file is opened
-  if (fs::exists(a, failed) && !fs::is_regular_file(a, failed)) return false;
-  if (fs::equivalent(a, b, failed)) return true;
-  const fs::path place = fs::weakly_canonical(fs::absolute(a, failed), failed);
-  return !place.empty() && place == fs::weakly_canonical(fs::absolute(b, failed), failed);
-}
 
 // Error usage: two outputs are the same file or both standard output, or an output is a source. Files that are not regular
 // (/dev/null) may be named several times.

@@ -31,11 +31,25 @@ using machines::Machine;
 using machines::MachineDescription;
 using machines::OptionKind;
 
+// The programs and the tape, which no output may replace. A program may have @ADDRESS behind its name.
+std::vector<std::string> inputs_of(const MachineDescription& description, const Arguments& arguments) {
+  std::vector<std::string> inputs;
+  for (const machines::Option& option : description.options) {
+    if (option.name == "--tape" && arguments.given(option.name)) inputs.push_back(arguments.text(option.name));
+    if (option.kind != OptionKind::files) continue;
+    for (const std::string& file : arguments.list(option.key())) {
+      inputs.push_back(file);
+      if (const std::size_t at = file.rfind('@'); at != std::string::npos) inputs.push_back(file.substr(0, at));
+    }
+  }
+  return inputs;
+}
+
 // The files that a run writes: opened before it, written during and after it, committed at the end.
 class RunOutputs {
  public:
-  // Error usage: a path is named twice, or more than one output goes to standard output. Error io: one cannot be written.
-  RunOutputs(const MachineDescription& description, const Arguments& arguments) {
+  // Error usage: a path is named twice or is one of `inputs`, or more than one output goes to standard output. Error io: one cannot be written.
+  RunOutputs(const MachineDescription& description, const Arguments& arguments, const std::vector<std::string>& inputs) {
     const bool json = arguments.given("--json");
     std::string stdout_twice = "-: named for two outputs";
     for (const machines::Option& option : description.options) {
@@ -51,6 +65,11 @@ class RunOutputs {
                        " FILE puts that elsewhere";
       }
       if (!path.empty()) files_.push_back({&option, path, std::nullopt});
+    }
+    for (const File& file : files_) {
+      const auto is_same = [&file](const std::string& input) { return file.path != "-" && are_one_file(file.path, input); };
+      if (std::any_of(inputs.begin(), inputs.end(), is_same))
+        throw base::usage_error(fmt::format("{}: found {}, expected no file that is an input of this run", file.option->name, file.path));
     }
     std::vector<NamedOutput> named;
     for (File& file : files_) named.push_back({&file.path, &file.output});
@@ -154,11 +173,12 @@ ExitCode run(const MachineDescription& description, Arguments arguments) {
     return base::Done{};
   };
   check_disk(arguments);
+  const std::vector<std::string> inputs = inputs_of(description, arguments);  // before the sources become programs
   Programs programs = assemble_sources(description, arguments, "run");
   const machines::Prepared prepared = value_of(prepare(description, arguments, programs.reader(), restore));
   for (const std::string& warning : prepared.warnings) warn(warning);
   Machine& machine = *prepared.machine;
-  RunOutputs outputs(description, arguments);
+  RunOutputs outputs(description, arguments, inputs);
   outputs.attach(machine);
   const bool console = arguments.given("--console");
   Ended ended = console ? run_on_console(prepared, arguments) : run_to_stop(prepared, arguments);

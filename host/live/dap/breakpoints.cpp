@@ -80,7 +80,9 @@ Json ClientBreakpoints::set_in_source(const Json& arguments) {
   const std::string path = text_in(member(arguments, "source"), "path");
   std::vector<int>& numbers = in_files_[path];
   return set_all(member(arguments, "breakpoints"), numbers, [&](const Json& each) {
-    return add_at({path, integer_in(each, "line", 0) + 1 - numbering_.first_line, {}}, each, numbers);
+    constexpr std::int64_t last = std::int64_t{1} << 40;  // outside every file; the sum does not overflow
+    const std::int64_t line = std::clamp<std::int64_t>(integer_in(each, "line", 0), 0, last);
+    return add_at({path, line + 1 - numbering_.first_line, {}}, each, numbers);
   });
 }
 

@@ -27,7 +27,9 @@ std::int64_t byte_place_of(const Debugger& debugger, std::string_view text, std:
   if (!at) at = base::count_number(text);
   const std::int64_t words = debugger.machine().words();
   const std::int64_t a_word = bytes_a_word(debugger);
-  const std::int64_t place = at && *at < (std::uint64_t{1} << 32) ? static_cast<std::int64_t>(*at) * a_word + offset : -1;
+  constexpr std::int64_t farthest = std::int64_t{1} << 40;  // outside memory; the sum does not overflow
+  const std::int64_t place =
+      at && *at < (std::uint64_t{1} << 32) ? static_cast<std::int64_t>(*at) * a_word + std::clamp(offset, -farthest, farthest) : -1;
   if (place < 0 || place >= words * a_word) {
     throw base::usage_error(fmt::format("found {} and {} bytes, expected an address in {}, 0x0 to 0x{:X}", text, offset,
                               debugger.description().memory_name, words - 1));

@@ -20,6 +20,12 @@ namespace {
 // The values of variablesReference for the scopes.
 enum : std::int64_t { of_registers = 1, of_conditions, of_devices, of_display };
 
+// A line or a column as it is in a request. The limits are outside every file; sums with the first number do not overflow.
+std::int64_t position_in(const Json& arguments, std::string_view name, std::int64_t otherwise) {
+  constexpr std::int64_t farthest = std::int64_t{1} << 40;
+  return std::clamp(integer_in(arguments, name, otherwise), -farthest, farthest);
+}
+
 }  // namespace
 
 Json View::threads(const Json&) {
@@ -40,7 +46,7 @@ Json View::stack_trace(const Json& arguments) {
   const std::int64_t first = std::max<std::int64_t>(0, integer_in(arguments, "startFrame", 0));
   const std::int64_t levels = integer_in(arguments, "levels", 0);
   const auto all = static_cast<std::int64_t>(frames.size()) + 1;
-  for (std::int64_t n = first; n < all && (levels <= 0 || n < first + levels); ++n) {
+  for (std::int64_t n = first; n < all && (levels <= 0 || n - first < levels); ++n) {
     const std::uint32_t at = n == 0 ? debugger_.pc() : frames[static_cast<std::size_t>(n - 1)].caller;
     const std::string near = debugger_.symbols().near(at);
     Json frame{{"id", n}, {"name", near.empty() ? debugger_.address(at) : near}, {"instructionPointerReference", reference(at)}};
@@ -123,7 +129,7 @@ Json View::set_expression(const Json& arguments) {
 
 Json View::completions(const Json& arguments) {
   const std::string text = text_in(arguments, "text");
-  const std::int64_t column = integer_in(arguments, "column", numbering_.first_column) - numbering_.first_column;
+  const std::int64_t column = position_in(arguments, "column", numbering_.first_column) - numbering_.first_column;
   std::string_view before = std::string_view(text).substr(0, static_cast<std::size_t>(std::clamp<std::int64_t>(
                                                                  column, 0, static_cast<std::int64_t>(text.size()))));
   const std::size_t begun = before.find_last_of(" ()[]+-*/&|!<>=~^%");
@@ -186,8 +192,8 @@ Json View::write_memory(const Json& arguments) {
 }
 
 Json View::breakpoint_locations(const Json& arguments) {
-  const std::int64_t first = integer_in(arguments, "line", 0) + 1 - numbering_.first_line;
-  const std::int64_t last = integer_in(arguments, "endLine", integer_in(arguments, "line", 0)) + 1 - numbering_.first_line;
+  const std::int64_t first = position_in(arguments, "line", 0) + 1 - numbering_.first_line;
+  const std::int64_t last = position_in(arguments, "endLine", position_in(arguments, "line", 0)) + 1 - numbering_.first_line;
   Json list = Json::array();
   for (const CodeLine& each : code_lines(debugger_.symbols(), text_in(member(arguments, "source"), "path"), first, last))
     list.push_back(Json{{"line", numbering_.line(each.line)}});
@@ -202,7 +208,7 @@ Json View::loaded_sources(const Json&) {
 
 Json View::goto_targets(const Json& arguments) {
   const auto lines = code_lines(debugger_.symbols(), text_in(member(arguments, "source"), "path"),
-                                integer_in(arguments, "line", 0) + 1 - numbering_.first_line, std::numeric_limits<std::int64_t>::max());
+                                position_in(arguments, "line", 0) + 1 - numbering_.first_line, std::numeric_limits<std::int64_t>::max());
   Json list = Json::array();
   if (!lines.empty()) {
     const CodeLine& found = lines.front();

@@ -183,6 +183,7 @@ Breakpoint Reader::parse_options(std::string_view arguments, Breakpoint breakpoi
     } else if (!how.empty()) {
       throw base::usage_error(fmt::format("found \"{}\", expected r, w, rw, value, if, count or log", how));
     }
+    if (!what.empty()) throw base::usage_error(fmt::format("found \"{}\", expected value, if, count or log \"TEXT\"", what));
     if (breakpoint.kind == Breakpoint::Kind::port) {
       const std::int64_t number = value(place);
       if (number < 0 || number >= static_cast<std::int64_t>(debugger_.machine().probe()->ports()))
@@ -214,6 +215,7 @@ Breakpoint Reader::parse_options(std::string_view arguments, Breakpoint breakpoi
     const bool is_condition = std::any_of(conditions.begin(), conditions.end(),
                                           [&first](const auto& each) { return each.first == first; });
     if (is_condition) return parse_options("when " + rest, breakpoint);
+    if (!what.empty()) throw base::usage_error(fmt::format("found \"{}\" behind {}, expected if, count or log \"TEXT\"", what, first));
     breakpoint.first = breakpoint.last = first.empty() ? debugger_.pc() : address(first);
   }
   return breakpoint;

@@ -119,7 +119,7 @@ std::string state(Debugger& debugger, std::string_view arguments) {
     if (text.empty()) text = "this machine has none\n";
   } else if (is("symbols")) {
     for (const auto& [name, value] : debugger.symbols().all()) text += fmt::format("{:<16} {}\n", name, debugger.address(value));
-    if (text.empty()) text = "no symbols; begin with a source file or --symbols FILE\n";
+    if (text.empty()) text = "no symbols: no source file or --symbols FILE was given, or it has none\n";
   } else {
     throw base::usage_error(fmt::format("found \"{}\", expected registers, devices, display, stack, time, breaks, conditions or symbols", arguments));
   }

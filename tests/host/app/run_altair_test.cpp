@@ -82,6 +82,12 @@ TEST_F(AltairCommand, ATapeIsReadAndPunchedByteForByte) {
   EXPECT_EQ(altair(other, {"--tape", "tape", "--tape-out", "punched", "--tape-channel", "2sio"}).exit_code, 0);
   EXPECT_EQ(read("punched"), bytes);
   EXPECT_TRUE(has(altair(other, {"--tape", "none"}).err, "none")) << "a file that does not exist";
+  for (const char* const out : {"--tape-out", "--save"}) {
+    const Ran same = altair(other, {"--tape", "tape", out, "./tape"});
+    EXPECT_EQ(same.exit_code, 2);
+    EXPECT_TRUE(has(same.err, std::string(out) + ": found ./tape, expected no file that is an input of this run")) << same.err;
+    EXPECT_EQ(read("tape"), bytes);
+  }
   EXPECT_TRUE(has(altair(other, {"--tape-out", "p"}).err, "--tape-out: needs --tape"));
   EXPECT_TRUE(has(altair(other, {"--tape-channel", "sio"}).err, "--tape-channel: needs --tape"));
 }

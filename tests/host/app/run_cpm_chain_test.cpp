@@ -181,6 +181,7 @@ TEST_F(CpmChain, CommandsThatCannotBe) {
   refused("gen *.x\n*\n", "run.txt: line 2: found program \"*\", expected PROGRAM ARGUMENTS, X: or USER N");
   refused("q:x\n", "line 1: found drive Q");
   refused("user 16\n", "line 1: found \"user 16\"");
+  refused("user 3 junk\n", "line 1: found \"user 3 junk\"");
   refused("\n; nothing\n", "run.txt: found no command, expected one on each line");
   EXPECT_FALSE(exists("a/A"));
   assemble("\tORG 100H\n\tRET\n");
@@ -189,6 +190,7 @@ TEST_F(CpmChain, CommandsThatCannotBe) {
   EXPECT_TRUE(has(long_words.err, "--cpm-args: found 300 characters, expected 125 at most: CP/M's command line has no room for more")) << long_words.err;
   EXPECT_EQ(run({"--cpm-args", std::string(125, 'x')}).exit_code, 0);
   EXPECT_TRUE(has(run({"--cpm-drive", "a=a", "--cpm-run", "run.txt"}).err, "--cpm-run: found a PROGRAM too, expected one of them"));
+  EXPECT_TRUE(has(sightline({"run", "i8080", "--cpm", "--cpm-drive", "a=a", "--cpm-run", "run.txt", "--cpm-args", "x"}).err, "--cpm-args: found --cpm-run too"));
   EXPECT_TRUE(has(sightline({"run", "i8080", "--cpm", "--cpm-run", "run.txt"}).err, "--cpm-run: needs --cpm-drive X=FOLDER"));
 }
 

@@ -645,6 +645,11 @@ TEST_F(DapSteps, ThePlacesOfASource) {
   request("breakpointLocations", {{"source", {{"path", "other.s"}}}, {"line", 1}, {"endLine", 100}});
   request("gotoTargets", {{"source", {{"path", "p.s"}}}, {"line", 5}});
   request("gotoTargets", {{"source", {{"path", "p.s"}}}, {"line", 100}});
+  // Numbers for which a sum would overflow.
+  constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+  request("breakpointLocations", {{"source", {{"path", "p.s"}}}, {"line", most}, {"endLine", most}});
+  request("gotoTargets", {{"source", {{"path", "p.s"}}}, {"line", most}});
+  request("readMemory", {{"memoryReference", "0x40"}, {"offset", most}, {"count", 1}});
   request("goto", {{"threadId", 1}, {"targetId", 0103}});
   look();
   request("next");
@@ -662,6 +667,8 @@ TEST_F(DapSteps, ThePlacesOfASource) {
   EXPECT_EQ(answer("breakpointLocations", 0).at("body").at("breakpoints"), json::array({{{"line", 2}}, {{"line", 3}}, {{"line", 6}}}));
   EXPECT_EQ(answer("breakpointLocations", 1).at("body").at("breakpoints"), json::array());
   EXPECT_EQ(answer("breakpointLocations", 2).at("body").at("breakpoints"), json::array());
+  EXPECT_EQ(answer("breakpointLocations", 3).at("body").at("breakpoints"), json::array());
+  EXPECT_FALSE(answer("readMemory").at("success"));
   const json target = answer("gotoTargets", 0).at("body").at("targets").at(0);
   EXPECT_EQ(target.at("line"), 6);
   EXPECT_EQ(target.at("id"), 0102);

@@ -75,6 +75,7 @@ TEST(Symbols, ADamagedFileNamesItsLine) {
   };
   const std::string sym = ", expected an address of four hexadecimal digits and a name, as MAC and LINK write them in a .SYM file";
   EXPECT_EQ(error(16, "0100 START\t0105\r\n"), "line 1: found \"0105\"" + sym);
+  EXPECT_EQ(error(16, "0100 \x1B[2J\x80"), "line 1: found \"0100 ?[2J?\"" + sym);
   EXPECT_EQ(error(16, "0100 START\r\n\r\n10X LOOP\r\n"), "line 3: found \"10X LOOP\"" + sym);
   EXPECT_EQ(error(16, "0100 START 00105 LOOP"), "line 1: found \"00105 LOOP\"" + sym);
   EXPECT_EQ(error(16, "0100 0105 LOOP"), "line 1: found \"0100 0105\"" + sym);

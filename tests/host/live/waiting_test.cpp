@@ -289,6 +289,17 @@ TEST(Waiting, AClockIsNotWaitedForForEver) {
   EXPECT_NEAR(ended.seconds(), 61, 3);
 }
 
+// An interrupt of the clock each second counts to a hundred: a minute of it is not a minute of waiting.
+TEST(Waiting, AProgramThatCountsByInterruptsIsWaitedFor) {
+  const Ended ended = session(pdp7("begin, lac (jmp tick\n dac 1\n lac (-62\n dac 7\n 700044\n 700042\nwait, ksf\n jmp wait\n hlt\n"
+                                   "tick, 700004\n lac (-62\n dac 7\n isz count\n jmp back\n lac (304\n tls\n tsf\n jmp .-1\n hlt\n"
+                                   "back, 700044\n 700042\n jmp i 0\ncount, -144\n"),
+                              Pipe(""));
+  EXPECT_EQ(ended.why, "halt");
+  EXPECT_EQ(ended.printed, "D");
+  EXPECT_NEAR(ended.seconds(), 100, 3);
+}
+
 // The switches move after three seconds; the loop reads them.
 TEST(Waiting, AScriptOfSwitchesIsWaitedFor) {
   const Ended ended = session(pdp7("wait, ksf\n skp\n hlt\n las\n sna\n jmp wait\n lac (304\n tls\n tsf\n jmp .-1\n hlt\n")
