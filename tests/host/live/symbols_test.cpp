@@ -79,7 +79,7 @@ TEST(Symbols, ADamagedFileNamesItsLine) {
   EXPECT_EQ(error(16, "0100 START\r\n\r\n10X LOOP\r\n"), "line 3: found \"10X LOOP\"" + sym);
   EXPECT_EQ(error(16, "0100 START 00105 LOOP"), "line 1: found \"00105 LOOP\"" + sym);
   EXPECT_EQ(error(16, "0100 0105 LOOP"), "line 1: found \"0100 0105\"" + sym);
-  EXPECT_EQ(error(16, "0100 ST\x01RT"), "line 1: found \"0100 ST\x01RT\"" + sym);
+  EXPECT_EQ(error(16, "0100 ST\x01RT"), "line 1: found \"0100 ST?RT\"" + sym);
   EXPECT_EQ(error(16, "START 0100\nLOOP\n"), "line 2: found \"\", expected NAME VALUE, as `sightline asm --symbols` writes them, or ADDRESS NAME of a .SYM file");
   EXPECT_EQ(error(8, "0100 START\n"), "line 1: found \"START\", expected NAME VALUE, as `sightline asm --symbols` writes them");
 }
