@@ -11,8 +11,8 @@ struct KnownWalk {
   std::string_view steps;
 };
 inline constexpr std::array<KnownWalk, 2> known_walks{{
-    // Through the door of the dining room, the hatch, the kitchen and its door, back to the start, and against a wall.
-    {"house", "left 130 in 300, in 150, in 150 down 40, left 200, in 100, left 30 out 400, right 360 up 40 out 300, in 500"},
+    // Through the door of the dining room, the hatch, the kitchen and its door, back to the start, against a wall, and back from it.
+    {"house", "left 130 in 300, in 150, in 150 down 40, left 200, in 100, left 30 out 400, right 360 up 40 out 300, in 500, out 300"},
     // Along the street, through the arch, round it and back over the roofs.
     {"street4", "in 400, in 600, in 700, in 500, in 600, left 500, up 450, out 900, right 600 out 800, down 300"},
 }};
