@@ -76,7 +76,7 @@ ProjectedScene random_scene(Dice& dice, int most_faces, int most_corners) {
 TEST(StripesCoverage, MachineEqualsItsTwinOnRandomFaces) {
   constexpr std::uint32_t seed = 20261128;
   Dice dice(seed);
-  const int scenes = tests::effort(160, 40);
+  constexpr int scenes = 160;
   int cut = 0;
   int full = 0;
   for (int n = 0; n < scenes; ++n) {
