@@ -29,6 +29,8 @@ class Clock final : public core::IotDevice {
   static constexpr core::IotDeviceInfo info{
       .name = "clock", .help = "the real-time clock, which counts location 7", .codes = codes, .iots = iots};
 
+  static constexpr std::uint16_t count_address = 7;
+
   // `hertz` below 1 is taken as 1. `tick_cycles`: machine cycles per tick.
   explicit Clock(std::int64_t hertz, int tick_cycles = 1) : hertz_(hertz < 1 ? 1 : hertz) { tick_.cycles = tick_cycles; }
   explicit Clock(const DeviceSetup& setup) : Clock(setup.timing.clock_hertz, setup.timing.clock_tick_cycles) {}
@@ -91,7 +93,7 @@ class Clock final : public core::IotDevice {
   void turn_off() { on_ = flag_ = ticks_ = false; }
 
   std::int64_t hertz_;
-  core::DataBreak tick_{.direction = core::DataBreak::Direction::count, .address = 7};
+  core::DataBreak tick_{.direction = core::DataBreak::Direction::count, .address = count_address};
   bool ticks_ = false;  // a tick waits for its cycle
   std::int64_t next_period_ = 0;
   bool on_ = false;

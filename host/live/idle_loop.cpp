@@ -117,17 +117,15 @@ bool IdleLoop::has_same_memory() {
   return true;
 }
 
-// Without the word in which the clock of the PDP-7 counts by itself. The words of the 8080 are bytes, and no device counts there.
+// The word in which a clock counts by itself is left out.
 bool IdleLoop::is_as_at_last_look() const {
   const std::span<const std::byte> now = machine_.memory_image();
   const std::vector<std::byte>& then = last_look_.memory;
   if (now.size() != then.size() || machine_.register_image() != last_look_.registers) return false;
   if (now.empty()) return true;  // this machine shows none
-  constexpr std::size_t clock_word = 7;
-  const std::size_t word = now.size() / machine_.words();
-  const std::size_t first = word > 1 ? clock_word * word : 0;
-  const std::size_t rest = word > 1 ? first + word : 0;
-  return std::memcmp(now.data(), then.data(), first) == 0 && std::memcmp(now.data() + rest, then.data() + rest, now.size() - rest) == 0;
+  const machines::ClockWord clock = machine_.clock_word();
+  const std::size_t rest = clock.first + clock.size;
+  return std::memcmp(now.data(), then.data(), clock.first) == 0 && std::memcmp(now.data() + rest, then.data() + rest, now.size() - rest) == 0;
 }
 
 void IdleLoop::remember() {

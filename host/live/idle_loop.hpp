@@ -5,8 +5,8 @@
 // stays there until a key comes or something outside the processor changes. A program that takes keys only by interrupt
 // does not poll: it is examined instruction by instruction.
 //
-// A look takes some polls of emulated time, during which the machine runs as ever. A program that computes is looked at
-// less and less often, so that the looks take less than a hundredth of the host's time.
+// A look lasts for some polls, during which the machine runs as usual. While a program computes, looks become rarer, so that
+// they take less than a hundredth of the host's time.
 #pragma once
 
 #include <array>

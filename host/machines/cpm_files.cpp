@@ -730,7 +730,7 @@ CpmFiles::Answer CpmFiles::write_record(Block& fcb, std::uint32_t number, std::s
       const auto count = ::pwrite(file->file.number(), bytes.data() + written, bytes.size() - written,
                                   static_cast<off_t>(at + written));
       if (count <= 0) {
-        note_file("writes", area, fcb.name(), errno);
+        note_file("writes", area, fcb.name(), count < 0 ? errno : ENOSPC);
         return false;
       }
       written += static_cast<std::size_t>(count);

@@ -268,6 +268,12 @@ struct EarlyWarning {
 
 struct MachineDescription;
 
+// Bytes of Machine::memory_image() in which a clock counts without the program.
+struct ClockWord {
+  std::size_t first = 0;
+  std::size_t size = 0;  // 0: there are none
+};
+
 // A machine built for one run. No member is called during an instruction.
 class Machine {
  public:
@@ -322,6 +328,7 @@ class Machine {
   // All registers and memory, to be compared with those of another moment.
   [[nodiscard]] virtual std::array<std::uint64_t, 2> register_image() const { return {}; }
   [[nodiscard]] virtual std::span<const std::byte> memory_image() const { return {}; }
+  [[nodiscard]] virtual ClockWord clock_word() const { return {}; }
   // Something outside the processor will change without an access: a device works, or a script goes on.
   [[nodiscard]] virtual bool has_deadline() const { return false; }
   // A number that changes with everything that goes from the program to its devices or comes from them, polls excepted.

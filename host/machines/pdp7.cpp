@@ -355,6 +355,10 @@ class Pdp7Machine final : public Machine, private core::KeyPollListener {
     return {std::uint64_t{r.ac.value()} << 18U | r.mq.value(), std::uint64_t{r.sc.value()} << 32U | flags << 16U | r.pc};
   }
   [[nodiscard]] std::span<const std::byte> memory_image() const override { return std::as_bytes(machine_.core()); }
+  [[nodiscard]] ClockWord clock_word() const override {
+    constexpr std::size_t size = sizeof(core::Word18);
+    return {pdp7::Clock::count_address * size, size};
+  }
   [[nodiscard]] bool has_deadline() const override {
     return machine_.deadline() != core::never || next_move_ < pen_script_.size();
   }

@@ -109,7 +109,7 @@ struct Arc {
 class CircleGatherer {
  public:
   CircleGatherer(const RotationModel& model, const ConvexParts& parts, const EyeCircle& circle, EdgeIndex edge,
-           const std::vector<Occluder>& occluders)
+                 const std::vector<Occluder>& occluders)
       : model_(model), parts_(parts), circle_(circle), edge_(edge), occluders_(occluders), ends_(model.edges()[edge]),
         segment_(model.segment(edge)), from_(near_of(segment_.from)), along_(near_of(segment_.along())),
         reach_(2 * parts.size() + length_of(near_of(circle.eye))) {}
@@ -141,20 +141,9 @@ class CircleGatherer {
   }
 
   void gather_lines() {
-    std::vector<EdgeIndex> edges;
-    for (const Occluder& occluder : occluders_) {
-      for (const Corner& corner : model_.corners(occluder.face)) {
-        edges.push_back(corner.side);
-        vertices_.push_back(corner.vertex);
-      }
-    }
-    const auto once = [](auto& list) {
-      std::sort(list.begin(), list.end());
-      list.erase(std::unique(list.begin(), list.end()), list.end());
-    };
-    once(edges);
-    once(vertices_);
-    for (const EdgeIndex other : edges) {
+    FaceBorders borders = model_.borders_of(occluders_);
+    vertices_ = std::move(borders.vertices);
+    for (const EdgeIndex other : borders.edges) {
       if (other != edge_ && !touches(model_.edges()[other])) lines_.push_back(line_of(other));
     }
   }

@@ -64,21 +64,10 @@ class Gatherer {
   }
 
   void gather_lines() {
-    std::vector<EdgeIndex> edges;
-    for (const FaceIndex face : faces_) {
-      for (const Corner& corner : model_.corners(face)) {
-        edges.push_back(corner.side);
-        vertices_.push_back(corner.vertex);
-      }
-    }
-    const auto once = [](auto& list) {
-      std::sort(list.begin(), list.end());
-      list.erase(std::unique(list.begin(), list.end()), list.end());
-    };
-    once(edges);
-    once(vertices_);
+    FaceBorders borders = model_.borders_of(occluders_);
+    vertices_ = std::move(borders.vertices);
     const auto [low, high] = std::minmax(segment_.from[1], segment_.to[1]);
-    for (const EdgeIndex other : edges) {
+    for (const EdgeIndex other : borders.edges) {
       const Segment line = model_.segment(other);
       const auto [other_low, other_high] = std::minmax(line.from[1], line.to[1]);
       if (other == edge_ || other_low > high || other_high < low || touches(model_.edges()[other])) continue;

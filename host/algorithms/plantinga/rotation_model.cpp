@@ -104,6 +104,23 @@ void RotationModel::gather() {
   }
 }
 
+FaceBorders RotationModel::borders_of(std::span<const Occluder> faces) const {
+  FaceBorders borders;
+  for (const Occluder& occluder : faces) {
+    for (const Corner& corner : corners(occluder.face)) {
+      borders.edges.push_back(corner.side);
+      borders.vertices.push_back(corner.vertex);
+    }
+  }
+  const auto once = [](auto& list) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  };
+  once(borders.edges);
+  once(borders.vertices);
+  return borders;
+}
+
 std::vector<Occluder> RotationModel::occluders_of(EdgeIndex edge) const {
   const Segment segment_of = segment(edge);
   const auto [low, high] = std::minmax(segment_of.from[1], segment_of.to[1]);

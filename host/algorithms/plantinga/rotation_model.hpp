@@ -56,6 +56,12 @@ struct Occluder {
   std::int64_t to = 0;
 };
 
+// The sides and corners of faces, each once, ascending.
+struct FaceBorders {
+  std::vector<EdgeIndex> edges;
+  std::vector<scene::VertexIndex> vertices;
+};
+
 class RotationModel {
  public:
   // Precondition: the scene is checked.
@@ -80,6 +86,7 @@ class RotationModel {
   [[nodiscard]] std::vector<Occluder> occluders_of(EdgeIndex edge) const;
   // The faces that hide part of the edge from somewhere.
   [[nodiscard]] std::vector<Occluder> occluders_from_anywhere(EdgeIndex edge) const;
+  [[nodiscard]] FaceBorders borders_of(std::span<const Occluder> faces) const;
   // A hash of the vertices, the faces and which of them are sheets: identifies the model of an event file.
   [[nodiscard]] std::uint64_t fingerprint() const { return fingerprint_; }
 

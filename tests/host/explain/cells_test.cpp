@@ -15,15 +15,10 @@
 #include "host/scene/cells/decompose.hpp"
 #include "host/scene/read/builtin.hpp"
 #include "host/scene/read/load.hpp"
+#include "tests/host/explain/load_scene.hpp"
 
 namespace sightline::explain {
 namespace {
-
-scene::LoadedScene load_scene(const std::string& name) {
-  auto found = scene::named_scene(name);
-  EXPECT_TRUE(found && *found) << name;
-  return *scene::load_scene(std::move(**found));
-}
 
 double largest_extent(const scene::CellComplex& complex) {
   double size = 0;

@@ -16,15 +16,10 @@
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/read/builtin.hpp"
 #include "host/scene/read/load.hpp"
+#include "tests/host/explain/load_scene.hpp"
 
 namespace sightline::explain {
 namespace {
-
-scene::LoadedScene load_scene(const std::string& name) {
-  auto found = scene::named_scene(name);
-  EXPECT_TRUE(found && *found) << name;
-  return *scene::load_scene(std::move(**found));
-}
 
 scene::PolyCamera parallel() { return {false, {0, 0, 0}, {50, -30, 86}, {86, 0, -50}, {30 * 50, 86 * 86 + 50 * 50, 30 * 86}}; }
 
