@@ -316,8 +316,10 @@ bool take_display(pdp7::Machine& machine, Watch& watch, PassWatch& passes, const
   limits.until = core::Instant(order.time_limit);
   watch.end_measuring();
   // Lines of the next view are not to be added before the pass is complete: the switch for it goes down.
-  machine.console().schedule({});
-  machine.console().set(core::Word18(order.stereo ? 1U : 0U));
+  if (order.immediate) {
+    machine.console().schedule({});
+    machine.console().set(core::Word18(order.stereo ? 1U : 0U));
+  }
   // The display changes to the file at the next stop: the pass that begins from now on is the file's first.
   passes.wait_from(machine.now());
   while (!passes.complete())
