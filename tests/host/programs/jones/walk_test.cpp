@@ -224,7 +224,7 @@ TEST_P(JonesWalk, DrawsWhatTheProgramWithoutItDraws) {
   Dice dice(7);
   Order order;
   order.check = true;
-  for (int n = 0; n < random_views; ++n) order.walk.push_back(random_step(dice));
+  for (int n = 0; n < random_views; ++n) order.walk.push_back({random_step(dice)});
   const auto outcome = walking->run(order);
   ASSERT_TRUE(outcome) << outcome.error().message();
   ASSERT_EQ(outcome->views.size(), order.walk.size() + 1);
@@ -405,7 +405,7 @@ TEST_F(JonesWalkInTheHouse, StereoPairsKeepTheirEyesInTheCell) {
   Order order;
   order.stereo = true;
   order.check = true;
-  order.walk = {{-100, -40, 600}, {-128, 0, 0}, {-3, 0, 0}};
+  order.walk = {{{-100, -40, 600}}, {{-128, 0, 0}}, {{-3, 0, 0}}};
   const auto outcome = walking->run(order);
   EXPECT_TRUE(outcome) << outcome.error().message();
 }
@@ -458,7 +458,7 @@ TEST(JonesWalkTape, RefusesCellsWithoutAPointInside) {
 TEST(JonesWalkPath, ReadsSteps) {
   const auto walk = read_walk(" in 100,right 50  up 20 , out 0,left 65535 down 1 in 2");
   ASSERT_TRUE(walk) << walk.error().message();
-  EXPECT_EQ(*walk, (std::vector<Steps>{{0, 0, 100}, {50, 20, 0}, {0, 0, 0}, {-65535, -1, 2}}));
+  EXPECT_EQ(*walk, (std::vector<Move>{{{0, 0, 100}}, {{50, 20, 0}}, {{0, 0, 0}}, {{-65535, -1, 2}}}));
 }
 
 TEST(JonesWalkPath, NamesWhatIsWrong) {
