@@ -63,7 +63,8 @@ void keep_window(IntervalSet& seen, std::size_t axis, const Point& r, const Wind
   }
 }
 
-VisibleLine seen_of(const Matter& matter, const RealLine& line, const Point& eye, const Window& window) {
+// window: null for all around the eye.
+VisibleLine seen_of(const Matter& matter, const RealLine& line, const Point& eye, const Window* window) {
   VisibleLine result{line.from, line.to, {}};
   const Point r = relative(line.from, eye);
   const auto [u, v] = geometry::other_axes(line.axis);
@@ -71,7 +72,7 @@ VisibleLine seen_of(const Matter& matter, const RealLine& line, const Point& eye
   const std::int64_t start = r[line.axis];
   const std::int64_t length = std::int64_t{line.to[line.axis]} - line.from[line.axis];
   IntervalSet seen(start, start + length);
-  keep_window(seen, line.axis, r, window);
+  if (window) keep_window(seen, line.axis, r, *window);
   if (!seen.empty()) SightFan(matter, line, eye).subtract_shadows(seen);
   const auto parameter = [&](const Rational& x) {
     return Rational(x.numerator() - start * x.denominator(), x.denominator() * length);
@@ -79,6 +80,15 @@ VisibleLine seen_of(const Matter& matter, const RealLine& line, const Point& eye
   for (const auto& piece : seen.intervals())
     result.intervals.unite(parameter(piece.low), parameter(piece.high));
   return result;
+}
+
+std::vector<VisibleLine> seen_of_all(const Matter& matter, const std::vector<RealLine>& lines, const Point& eye, const Window* window) {
+  std::vector<VisibleLine> visible;
+  for (const RealLine& line : lines) {
+    VisibleLine seen = seen_of(matter, line, eye, window);
+    if (!seen.intervals.empty()) visible.push_back(std::move(seen));
+  }
+  return visible;
 }
 
 }  // namespace
@@ -89,12 +99,11 @@ bool is_line_for(const RealLine& line, const Point& eye) {
 
 std::vector<VisibleLine> visible_lines(const Matter& matter, const std::vector<RealLine>& lines,
                                        const Point& eye, const Window& window) {
-  std::vector<VisibleLine> visible;
-  for (const RealLine& line : lines) {
-    VisibleLine seen = seen_of(matter, line, eye, window);
-    if (!seen.intervals.empty()) visible.push_back(std::move(seen));
-  }
-  return visible;
+  return seen_of_all(matter, lines, eye, &window);
+}
+
+std::vector<VisibleLine> visible_lines_around(const Matter& matter, const std::vector<RealLine>& lines, const Point& eye) {
+  return seen_of_all(matter, lines, eye, nullptr);
 }
 
 std::optional<std::vector<VisibleLine>> visible_lines(const scene::CellScene& scene, const Point& eye,

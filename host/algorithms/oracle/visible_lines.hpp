@@ -48,6 +48,8 @@ struct VisibleLine {
 [[nodiscard]] std::optional<std::vector<VisibleLine>> visible_lines(const scene::CellScene& scene,
                                                                     const geometry::Point& eye,
                                                                     const Window& window);
+// In every direction, for views that look elsewhere.
+[[nodiscard]] std::vector<VisibleLine> visible_lines_around(const Matter& matter, const std::vector<RealLine>& lines, const geometry::Point& eye);
 
 // The visible pieces on the screen, in points.
 [[nodiscard]] std::vector<ScreenSegment> on_screen(const std::vector<VisibleLine>& lines,
