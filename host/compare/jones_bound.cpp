@@ -325,6 +325,12 @@ class Bound {
     polygon = std::move(left);
   }
 
+  // Where a mask ends at the window its side has no line. A sloped side that meets the window there is no window's side.
+  [[nodiscard]] bool is_on_window(const PixelPoint& p) const {
+    const auto at = [](double a, std::int32_t side) { return std::abs(a - side) <= on_line; };
+    return at(p.x, window_.xlo) || at(p.x, window_.xhi) || at(p.y, window_.ylo) || at(p.y, window_.yhi);
+  }
+
   void draw(const jones::SpacePoint& from, const jones::SpacePoint& to, const std::vector<ClipLine>& clip) {
     const auto left = direction_ ? turned_ends(from, to) : level_ends(from, to);
     if (!left) return;
@@ -339,7 +345,7 @@ class Bound {
       if (holds[0] == holds[1]) continue;
       const std::size_t end = holds[0] ? 1 : 0;
       const Cut at = cut_at(line, side, ends[0], ends[1]);
-      const double drawn_there = line.side.of_window ? std::numeric_limits<double>::infinity() : at.of_clip + at.of_line + corner;
+      const double drawn_there = line.side.of_window || (direction_ && is_on_window(at.place)) ? std::numeric_limits<double>::infinity() : at.of_clip + at.of_line + corner;
       ends[end] = at.place;
       side.away[end] = at.of_line;
       end_away[end] = std::min(std::hypot(at.of_line, at.along), drawn_there);

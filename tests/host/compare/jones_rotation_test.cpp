@@ -40,7 +40,7 @@ TEST_P(JonesTurned, LinesAreWhereTheyAreVisible) {
   ASSERT_TRUE(program) << program.error().message();
   oracle::Window window = type340_window();
   window.near = 0;
-  Dice dice(1971);
+  jones::Dice dice(1971);
   double worst = 0, worst_share = 0, missing = 0, length = 0;
   int beyond = 0;
   for (int n = 0; n < views; ++n) {
