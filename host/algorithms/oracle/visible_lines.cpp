@@ -1,6 +1,8 @@
 #include "host/algorithms/oracle/visible_lines.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "host/algorithms/oracle/sight_fan.hpp"
 
@@ -126,6 +128,51 @@ std::vector<ScreenSegment> on_screen(const std::vector<VisibleLine>& lines, cons
     };
     for (const auto& [low, high] : line.intervals.intervals()) {
       segments.push_back({project(low, 0), project(low, 1), project(high, 0), project(high, 1)});
+    }
+  }
+  return segments;
+}
+
+namespace {
+
+// The part of a line that is before the sides of a window, from `low` to `high` of its length.
+struct Part {
+  double low = 0, high = 1;
+
+  // dp, dq: distances of the ends from a side, negative beyond it.
+  void keep(double dp, double dq) {
+    if (dp < 0 && dq < 0) high = -1;
+    if (dp < 0 && dq >= 0) low = std::max(low, dp / (dp - dq));
+    if (dp >= 0 && dq < 0) high = std::min(high, dp / (dp - dq));
+  }
+};
+
+}  // namespace
+
+std::vector<ScreenSegment> on_screen_turned(const std::vector<VisibleLine>& lines, const Point& eye, const Window& window, double cosine, double sine) {
+  using Place = std::array<double, 3>;
+  const double length = std::hypot(cosine, sine);
+  const auto between = [](const Place& p, const Place& q, double t) { return Place{p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2])}; };
+  const auto turned = [&](const Point& p) {
+    const Point r = relative(p, eye);
+    return Place{(r[0] * cosine - r[2] * sine) / length, static_cast<double>(r[1]), (r[0] * sine + r[2] * cosine) / length};
+  };
+  std::vector<ScreenSegment> segments;
+  for (const VisibleLine& line : lines) {
+    for (const auto& [from, to] : line.intervals.intervals()) {
+      const Place p = between(turned(line.p), turned(line.q), from.to_double());
+      const Place q = between(turned(line.p), turned(line.q), to.to_double());
+      Part part;
+      part.keep(p[2] - window.near, q[2] - window.near);
+      for (std::size_t b = 0; b < 2; ++b) {
+        const auto inside = [&](const Place& at, std::int32_t bound) { return at[b] * window.scale - (bound - window.centre[b]) * at[2]; };
+        part.keep(inside(p, window.points[b].low), inside(q, window.points[b].low));
+        part.keep(-inside(p, window.points[b].high), -inside(q, window.points[b].high));
+      }
+      if (part.low >= part.high) continue;
+      const Place a = between(p, q, part.low), z = between(p, q, part.high);
+      const auto screen = [&](const Place& at, std::size_t b) { return at[b] * window.scale / at[2] + window.centre[b]; };
+      segments.push_back({screen(a, 0), screen(a, 1), screen(z, 0), screen(z, 1)});
     }
   }
   return segments;

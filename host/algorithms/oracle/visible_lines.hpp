@@ -54,5 +54,9 @@ struct VisibleLine {
 // The visible pieces on the screen, in points.
 [[nodiscard]] std::vector<ScreenSegment> on_screen(const std::vector<VisibleLine>& lines,
                                                    const geometry::Point& eye, const Window& window);
+// The same of a view turned about the vertical, which looks along (sine, 0, cosine), a vector of any length; the lines are those
+// visible in every direction. Only their visibility is exact: the image is in floating point.
+[[nodiscard]] std::vector<ScreenSegment> on_screen_turned(const std::vector<VisibleLine>& lines, const geometry::Point& eye, const Window& window,
+                                                          double cosine, double sine);
 
 }  // namespace sightline::algorithms::oracle

@@ -14,7 +14,6 @@
 #include "host/base/value_of.hpp"
 #include "host/compare/jones_bound.hpp"
 #include "host/compare/lines.hpp"
-#include "host/compare/turned_lines.hpp"
 #include "host/picture/line_metrics_parts.hpp"
 #include "host/programs/jones/known_walks.hpp"
 #include "host/report/experiments/guest_runs.hpp"
@@ -35,8 +34,9 @@ double farthest_of(const scene::CellScene& scene, const jones::View& view, const
   if (!matter) throw base::bad_input(fmt::format("{}: too large for exact lines", scene.name));
   const oracle::Window window = compare::type340_window();
   std::vector<picture::PixelSegment> exact, drawn;
-  if (direction) exact = compare::turned_lines(oracle::visible_lines_around(*matter, matter->real_lines(), view.eye), view.eye, *direction, window);
-  else for (const auto& line : oracle::on_screen(oracle::visible_lines(*matter, matter->real_lines(), view.eye, window), view.eye, window))
+  const auto lines = direction ? oracle::on_screen_turned(oracle::visible_lines_around(*matter, matter->real_lines(), view.eye), view.eye, window, direction->cosine, direction->sine)
+                               : oracle::on_screen(oracle::visible_lines(*matter, matter->real_lines(), view.eye, window), view.eye, window);
+  for (const auto& line : lines)
     exact.push_back({{line.x0, line.y0}, {line.x1, line.y1}});
   for (const auto& line : view.on_display)
     drawn.push_back({{static_cast<double>(line.a.x), static_cast<double>(line.a.y)}, {static_cast<double>(line.b.x), static_cast<double>(line.b.y)}});

@@ -12,7 +12,6 @@
 #include "host/algorithms/oracle/visible_lines.hpp"
 #include "host/compare/jones_bound.hpp"
 #include "host/compare/lines.hpp"
-#include "host/compare/turned_lines.hpp"
 #include "host/picture/line_metrics_parts.hpp"
 #include "host/programs/jones/jones.hpp"
 #include "host/programs/jones/twin/walk.hpp"
@@ -63,7 +62,9 @@ TEST_P(JonesTurned, LinesAreWhereTheyAreVisible) {
       const auto point = [](const jones::ScreenPoint& p) { return picture::PixelPoint{p.x / 8.0 + 512, p.y / 8.0 + 512}; };
       drawn.push_back({point(piece.line.a), point(piece.line.b)});
     }
-    const auto exact = turned_lines(oracle::visible_lines_around(*matter, lines, eye), eye, direction, window);
+    const auto truth = oracle::on_screen_turned(oracle::visible_lines_around(*matter, lines, eye), eye, window, direction.cosine, direction.sine);
+    std::vector<picture::PixelSegment> exact;
+    for (const auto& s : truth) exact.push_back({{s.x0, s.y0}, {s.x1, s.y1}});
     if (drawn.empty()) continue;
     ASSERT_FALSE(exact.empty());
     const double farthest = picture::directed_hausdorff_distance(drawn, exact).greatest;
@@ -72,8 +73,7 @@ TEST_P(JonesTurned, LinesAreWhereTheyAreVisible) {
     beyond += farthest > bound ? 1 : 0;
     worst = std::max(worst, farthest);
     worst_share = std::max(worst_share, farthest / bound);
-    std::vector<oracle::ScreenSegment> truth, made;
-    for (const auto& s : exact) truth.push_back({s.a.x, s.a.y, s.b.x, s.b.y});
+    std::vector<oracle::ScreenSegment> made;
     for (const auto& s : drawn) made.push_back({s.a.x, s.a.y, s.b.x, s.b.y});
     const auto error = oracle::drawn_error(truth, made, 1.0);
     wrong += error.missing + error.extra;

@@ -225,7 +225,7 @@ wait(lambda: js("return [...sightline.tab.where()]") != place, "in")
 ActionChains(driver).key_up(Keys.ARROW_UP).perform()
 press("Back to the start")
 wait(lambda: js("return [...sightline.tab.where()]") == place, "Back to the start")
-check(js("return sightline.tab.pads.map(b => b.textContent).join()") == "left \u2190,right \u2192,up u,down d,in \u2191,out \u2193,bigger +,smaller -", "the pad names its keys")
+check(js("return sightline.tab.pads.map(b => b.textContent).join()") == "left \u2190,right \u2192,up u,down d,in \u2191,out \u2193,bigger +,smaller -,turn left ,,turn right .", "the pad names its keys")
 LAMP = "return getComputedStyle(sightline.tab.lamp).visibility"
 check(js(LAMP) == "visible", "the lamp of a machine that runs")
 press("Pause")
