@@ -12,13 +12,13 @@ namespace sightline::programs::jones {
 
 namespace {
 
-struct Direction {
+struct Way {
   std::string_view name;
   std::size_t axis;  // `about_vertical`: a turn
   std::int32_t sign;
 };
 constexpr std::size_t about_vertical = 3;
-constexpr std::array<Direction, 8> directions{
+constexpr std::array<Way, 8> ways{
     {{"left", 0, -1}, {"right", 0, 1}, {"up", 1, 1}, {"down", 1, -1}, {"in", 2, 1}, {"out", 2, -1}, {"turn-left", about_vertical, -1}, {"turn-right", about_vertical, 1}}};
 
 constexpr std::string_view path_expected = "expected left, right, up, down, in or out, each with a number of units from 0 to 65535, turn-left or turn-right with degrees from 0 to 360, and a comma between views: \"in 100, right 50 up 20\"";
@@ -42,8 +42,8 @@ base::Result<std::vector<Move>> read_walk(std::string_view text) {
     std::array<bool, 4> moved{};
     do {
       const std::string_view name = base::take_word(part);
-      const auto found = std::find_if(directions.begin(), directions.end(), [&](const Direction& d) { return d.name == name; });
-      if (found == directions.end()) return unexpected(view, name);
+      const auto found = std::find_if(ways.begin(), ways.end(), [&](const Way& way) { return way.name == name; });
+      if (found == ways.end()) return unexpected(view, name);
       const std::string_view number = base::take_word(part);
       const auto units = base::whole_number<std::int32_t>(number, 10, 0, found->axis == about_vertical ? most_degrees : most_steps);
       if (!units) return unexpected(view, fmt::format("{}{}{}", name, number.empty() ? "" : " ", number));

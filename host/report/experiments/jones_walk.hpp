@@ -36,7 +36,7 @@ struct JonesWalkWords {
   std::size_t program_words = 0;
   std::size_t used_words = 0;
   std::size_t used_words_standing = 0;
-  std::size_t used_words_turning = 0;  // 0: more than the machine has
+  std::size_t used_words_turning = 0;  // may be more than the machine has
 };
 
 // A view on a way on which the view turns.
