@@ -73,7 +73,7 @@ Json document_of(const JonesArguments& arguments, const jones::Build& build, con
                 {"eae", !arguments.no_eae},
                 {"fraction_bits", arguments.fraction},
                 {"truncated", arguments.truncate},
-                {"walk", arguments.walk.has_value()},
+                {"walk", build.walk},
                 {"rotation", build.rotation},
                 {"eye", outcome.eye},
                 {"cells", scene.cells.size()},

@@ -461,6 +461,14 @@ TEST(JonesWalkPath, ReadsSteps) {
   EXPECT_EQ(*walk, (std::vector<Move>{{{0, 0, 100}}, {{50, 20, 0}}, {{0, 0, 0}}, {{-65535, -1, 2}}}));
 }
 
+TEST(JonesWalkPath, ReadsTurns) {
+  const auto walk = read_walk("turn-left 30 in 100, turn-right 360, up 2 turn-left 0");
+  ASSERT_TRUE(walk) << walk.error().message();
+  EXPECT_EQ(*walk, (std::vector<Move>{{{0, 0, 100}, -30}, {{}, 360}, {{0, 2, 0}, 0}}));
+  EXPECT_TRUE(has_turn(*walk));
+  EXPECT_FALSE(has_turn(std::vector<Move>{{{1, 2, 3}}}));
+}
+
 TEST(JonesWalkPath, NamesWhatIsWrong) {
   for (const auto& [text, found] : std::vector<std::pair<const char*, const char*>>{{"", "view 1 of the walk: found no direction"},
                                                                                      {"in 5,", "view 2 of the walk: found no direction"},
@@ -471,7 +479,10 @@ TEST(JonesWalkPath, NamesWhatIsWrong) {
                                                                                      {"in -5", "found \"in -5\""},
                                                                                      {"in 65536", "found \"in 65536\""},
                                                                                      {"in 5 up", "found \"up\""},
-                                                                                     {"in 5 out 5", "\"out\" is a second direction along z"}}) {
+                                                                                     {"in 5 out 5", "\"out\" is a second direction along z"},
+                                                                                     {"turn-left 361", "found \"turn-left 361\""},
+                                                                                     {"turn 5", "found \"turn\""},
+                                                                                     {"turn-left 5 turn-right 5", "\"turn-right\" is a second turn"}}) {
     const auto walk = read_walk(text);
     ASSERT_FALSE(walk) << text;
     EXPECT_NE(walk.error().message().find(found), std::string::npos) << walk.error().message();
