@@ -122,9 +122,9 @@ void willis_facing_chapter(Page& page, const std::vector<WillisFacing>& flights)
                        "or as many as the machine holds, if the display shows these in time. A worst frame of more than 120,000 T-states is shown in "
                        "time if the frames around it take less.",
                        frames),
-           fmt::format("The paper orders all surfaces, or those that face the eye, and leaves the test out. Here the 8080 makes it "
-                       "(`firmware/i8080/flight`, section 5): one value for each direction of normals, and work only for pieces that turn. A frame takes {} to "
-                       "{} of the time in the mean, and the worst frame {} to {} of the worst.",
+           fmt::format("The paper mentions the \"ease of computing which surfaces are facing away from the viewer\" and does not say how. Here the 8080 computes one "
+                       "value for each direction of normals, and does work only for pieces that turn (`firmware/i8080/flight`, section 5 of its specification). A mean "
+                       "frame takes {} to {} of the time without the test, the worst frame {} to {}.",
                        text_of(least(with, share), 2), text_of(greatest(with, share), 2), text_of(least(with, worst_share), 2),
                        text_of(greatest(with, worst_share), 2)),
            Page::claim(sum(with, &WillisFacing::hidden) == 0, "No piece that faces the eye is without a priority in any frame."),
