@@ -448,7 +448,7 @@ TEST(FlightFacing, CostsAsMuchAsTheModelStates) {
 // All pieces of a town with coordinates of 16 bits: without the test not half of them are shown at 25 frames a second.
 TEST(FlightFacing, ShowsAWholeTownAt25FramesASecondWith16Bits) {
   const Flight& town = flights()[0];
-  const auto plan = plan_flight(town.scene, false, frames(), {}, true);
+  const auto plan = plan_flight(town.scene, false, 100, {}, true);
   ASSERT_TRUE(plan);
   ASSERT_EQ(plan->model.pieces.size(), 201U);
   for (const Precision precision : precisions) {
