@@ -7,12 +7,12 @@ PREC:   DB      0               ; precision 1, 2, 3
 AXES:   DB      0
 COUNT:  DB      0               ; N
 PLANES: DB      0               ; D
-TOTAL:  DB      0               ; points: N + 2 D
+TOTAL:  DB      0               ; points: N + 2 D, with the facing test M + 1 more
 FIRST:  DB      0               ; low byte of the order's first place: 256 less its pieces
 SUMS:   DW      0               ; s, t between packets
 EYE:    DS      6
         IF      FACING
-TURNS:  DB      0               ; M, directions
+MDIRS:  DB      0               ; M, directions
 ORIGIN: DB      0               ; number of the point from which they go: N + 2 D + 1
         ENDIF
 
@@ -73,7 +73,7 @@ START:  DI
         STA     ORIGIN
         MOV     H,A
         CALL    GETB
-        STA     TURNS
+        STA     MDIRS
         ORA     A
         JZ      STOP
         ADD     H

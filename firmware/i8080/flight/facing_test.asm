@@ -14,7 +14,7 @@ GETE1:  MOV     M,A
         LXI     H,REACHED
         SHLD    SIDEP
         LXI     H,ENTRIES
-        LDA     TURNS
+        LDA     MDIRS
         STA     DIRS
 GETE2:  CALL    ENDENT
         PUSH    D
@@ -346,7 +346,7 @@ SIDE5:  MVI     A,0
         INX     H
         MOV     H,M
         MOV     L,A
-; Seldom are more than the first bytes compared.
+; Mostly the first bytes decide.
         MOV     A,M
         CMP     B
         JC      SIDE7
