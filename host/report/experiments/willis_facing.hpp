@@ -32,7 +32,7 @@ struct WillisFacing {
   std::uint32_t pieces_at_25 = 0;
   std::int64_t worst_t_states_at_25 = 0;
 
-  [[nodiscard]] std::string build() const { return facing ? "facing test" : "all pieces"; }
+  [[nodiscard]] std::string build() const { return facing ? "facing pieces" : "all pieces"; }
 };
 
 [[nodiscard]] std::vector<WillisFacing> willis_facing(const Context& context);
