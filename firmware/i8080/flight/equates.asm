@@ -24,8 +24,8 @@ NEW     EQU     2400H           ; pieces that have come to face the eye in this 
 AWAY    EQU     2500H           ; pieces that have turned away, likewise
 PLACEL  EQU     2600H           ; by number: the address of its coordinates if they are words, the low half
 PLACEH  EQU     2700H           ; the high half
-REACHED EQU     2800H           ; by direction: the address of the entry that its value would pass next
-MORE    EQU     2900H           ; the program's second part
+REACHED EQU     2800H           ; by direction: the address of the entry that its value would pass next; two pages
+MORE    EQU     2A00H           ; the program's second part
 ENTRIES EQU     2E00H           ; of each direction a sentinel and its entries, then one more sentinel; five bytes each
         ENDIF
 SQ4     EQU     8000H           ; squares of -4095..4095, 3 bytes each at SQ4 + 4d, from 4004 to BFFE

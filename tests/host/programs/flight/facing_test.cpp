@@ -135,6 +135,23 @@ TEST(FlightFacing, NoPieceFacesTheEye) {
   }
 }
 
+// As many directions as numbers allow; only the last one has an entry.
+TEST(FlightFacing, OnePieceAndTheMostDirections) {
+  for (const Precision precision : precisions) {
+    Stream stream = street(precision);
+    const Entry last = stream.directions[0][0];
+    stream.points = {{90, 0}, {100, 0}};
+    stream.points.resize(255, {103, 0});
+    stream.directions.assign(253, {});
+    stream.directions.back() = {last};
+    const MachineFlight flight = run_machine(program(), stream.bytes());
+    ASSERT_EQ(flight.status, Status::complete) << text_of(flight.status);
+    EXPECT_EQ(priorities_of(flight.frames.at(1), 1), std::vector<int>{0});
+    EXPECT_EQ(priorities_of(flight.frames.at(2), 1), std::vector<int>{1});
+    EXPECT_EQ(difference_of(stream.bytes()), "");
+  }
+}
+
 int rounds() {
   const char* const wanted = std::getenv("SIGHTLINE_FLIGHTS");  // NOLINT(concurrency-mt-unsafe): nothing else runs
   return (wanted == nullptr ? 1 : std::atoi(wanted)) * tests::effort(90, 15);
@@ -155,7 +172,7 @@ Stream random_stream(Dice& dice, int number) {
     return point;
   };
   const int planes = dice(0, 2) == 0 ? dice(1, 20) : 0;
-  const int directions = number % 9 == 0 ? dice(60, 100) : dice(1, 12);
+  const int directions = number % 9 == 0 ? dice(60, 253 - 2 * planes) : dice(1, 12);
   const int room = 255 - 2 * planes - directions - 1;
   const int pieces = number % 9 == 1 ? room : number % 9 == 2 ? 1 : dice(1, std::min(room, 120));
   for (int i = 0; i < pieces + 2 * planes + directions + 1; ++i) stream.points.push_back(any());
@@ -507,7 +524,7 @@ TEST(FlightFacing, ACheckedRunOfAWrongProgramFails) {
   ASSERT_TRUE(right) << right.error().message();
   Program wrong_program = program();
   int differences = 0;
-  for (std::size_t at = 0x2900; at < wrong_program.memory.size(); at += tests::effort(41U, 197U)) {
+  for (std::size_t at = 0x2A00; at < wrong_program.memory.size(); at += tests::effort(41U, 197U)) {
     wrong_program.memory[at] ^= 1U;
     const auto wrong = run(order, wrong_program);
     wrong_program.memory[at] ^= 1U;
