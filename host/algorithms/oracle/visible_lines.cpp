@@ -171,6 +171,7 @@ std::vector<ScreenSegment> on_screen_turned(const std::vector<VisibleLine>& line
       }
       if (part.low >= part.high) continue;
       const Place a = between(p, q, part.low), z = between(p, q, part.high);
+      if (a[2] <= 0 || z[2] <= 0) continue;  // a line through the eye is a point
       const auto screen = [&](const Place& at, std::size_t b) { return at[b] * window.scale / at[2] + window.centre[b]; };
       segments.push_back({screen(a, 0), screen(a, 1), screen(z, 0), screen(z, 1)});
     }

@@ -246,7 +246,7 @@ Json sight(Workbench& workbench, const Json& request) {
     window.centre = {shown.centre_x, shown.centre_y};
     window.points = {geometry::Span{shown.centre_x + shown.xlo, shown.centre_x + shown.xhi},
                      geometry::Span{shown.centre_y + shown.ylo, shown.centre_y + shown.yhi}};
-    window.near = jones::near_z;
+    window.near = turned ? 0 : jones::near_z;  // a turned view has no near plane
     const auto seen = turned ? oracle::on_screen_turned(oracle::visible_lines_around(*matter, real_lines, eye), eye, window, direction.cosine, direction.sine)
                              : oracle::on_screen(oracle::visible_lines(*matter, real_lines, eye, window), eye, window);
     for (const auto& line : seen)

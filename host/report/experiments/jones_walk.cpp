@@ -32,7 +32,8 @@ constexpr double most_time = 1.1;  // of the program without the walk
 double farthest_of(const scene::CellScene& scene, const jones::View& view, const std::optional<jones::Direction>& direction = {}) {
   const auto matter = oracle::Matter::of(scene);
   if (!matter) throw base::bad_input(fmt::format("{}: too large for exact lines", scene.name));
-  const oracle::Window window = compare::type340_window();
+  oracle::Window window = compare::type340_window();
+  if (direction) window.near = 0;  // a turned view has no near plane
   std::vector<picture::PixelSegment> exact, drawn;
   const auto lines = direction ? oracle::on_screen_turned(oracle::visible_lines_around(*matter, matter->real_lines(), view.eye), view.eye, window, direction->cosine, direction->sine)
                                : oracle::on_screen(oracle::visible_lines(*matter, matter->real_lines(), view.eye, window), view.eye, window);
