@@ -79,7 +79,8 @@ base::Result<Program> assemble_program(const scene::CellScene& scene, const Buil
   if (end > tables) {
     return base::Error{
         "", "",
-        fmt::format("found {} words too many for the machine's core beside the program", end - tables)};
+        fmt::format("found {} words too many for the machine's core beside the program{}", end - tables,
+                    build.rotation ? "; a program whose view does not turn is shorter" : "")};
   }
   Program program;
   program.build = build;
