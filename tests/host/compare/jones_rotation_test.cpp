@@ -65,14 +65,15 @@ TEST_P(JonesTurned, LinesAreWhereTheyAreVisible) {
     const auto truth = oracle::on_screen_turned(oracle::visible_lines_around(*matter, lines, eye), eye, window, direction.cosine, direction.sine);
     std::vector<picture::PixelSegment> exact;
     for (const auto& s : truth) exact.push_back({{s.x0, s.y0}, {s.x1, s.y1}});
-    if (drawn.empty()) continue;
-    ASSERT_FALSE(exact.empty());
-    const double farthest = picture::directed_hausdorff_distance(drawn, exact).greatest;
-    const double bound = jones_piece_bound(scene, eye, {}, direction);
-    EXPECT_LE(farthest, bound) << eye[0] << ',' << eye[1] << ',' << eye[2] << " at " << degrees;
-    beyond += farthest > bound ? 1 : 0;
-    worst = std::max(worst, farthest);
-    worst_share = std::max(worst_share, farthest / bound);
+    if (!drawn.empty()) {
+      ASSERT_FALSE(exact.empty());
+      const double farthest = picture::directed_hausdorff_distance(drawn, exact).greatest;
+      const double bound = jones_piece_bound(scene, eye, {}, direction);
+      EXPECT_LE(farthest, bound) << eye[0] << ',' << eye[1] << ',' << eye[2] << " at " << degrees;
+      beyond += farthest > bound ? 1 : 0;
+      worst = std::max(worst, farthest);
+      worst_share = std::max(worst_share, farthest / bound);
+    }
     std::vector<oracle::ScreenSegment> made;
     for (const auto& s : drawn) made.push_back({s.a.x, s.a.y, s.b.x, s.b.y});
     const auto error = oracle::drawn_error(truth, made, 1.0);
