@@ -181,7 +181,7 @@ void add_jones_command(const Command& program) {
       .value("SCRIPT");
   command.option("--walk", arguments->walk, "Walk from cell to cell: the way to each further view, as \"in 100, right 50 up 20\", or \"switches\"")
       .value("STEPS");
-  command.option("--turn", arguments->turn, "Turn the view to the right by these degrees; the program then rotates, and moves where the view looks")
+  command.option("--turn", arguments->turn, "Turn the view to the right, or to the left if negative; the steps then follow the view")
       .value("DEGREES")
       .range(-360, 360);
   command.flag("--stereo", arguments->stereo, "A stereo pair: AC switch 17 up");

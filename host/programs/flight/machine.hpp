@@ -26,7 +26,7 @@ struct MachineFrame {
   std::uint32_t moved = 0;
   std::uint32_t exchanges = 0;
   std::uint32_t listed = 0;  // pieces of the order
-  // With the facing test, against the frame before; 0 for the first frame.
+  // With the facing test, compared with the frame before; in the first frame all pieces of the order have appeared.
   Turned turned{};
 };
 

@@ -101,7 +101,7 @@ export class Pdp7Tab {
         group('Program', this.programs),
         this.walk = group('Walk: hold a switch, or its key', this.walkPad(),
           this.through = check('Through portals, from cell to cell', o.through, value => { o.through = value; if (!value) o.rotate = this.rotate.box.checked = false; this.restart(); }, 'The program finds the cell of the eye and follows it through portals, which Jones left out. Otherwise the eye stays in the cell where it begins.'),
-          this.rotate = check('The view turns', o.rotate, value => { o.rotate = value; if (value) o.through = this.through.box.checked = true; this.restart(); }, 'Two more switches turn the view, and the others move where it looks. The program is longer and takes up to twice as long for a view.'),
+          this.rotate = check('The view turns', o.rotate, value => { o.rotate = value; if (value) o.through = this.through.box.checked = true; this.restart(); }, 'Two more switches turn the view, and the others move where it looks. The program is longer and takes about twice as long for a view.'),
           button('Back to the start', () => { o.switches = 0; this.restart(); }, 'Back to the start: the program begins again, from the place where the walk began')), this.turning.group,
         fold('Options', speed, this.glow,
           this.eae = check('EAE: multiply and divide in hardware', o.eae, set('eae'), 'The extended arithmetic element, an option of the PDP-7. Without it the program multiplies and divides by subroutines, and is slower.'),

@@ -21,8 +21,7 @@ struct Direction {
 // 0..359.
 [[nodiscard]] std::int32_t whole_turn(std::int32_t degrees);
 
-// A number of units along x and along z, as sums of the words that the switches give, turned to where the view looks; what is
-// left below a unit stays for the next.
+// Converts steps to the right of and ahead of the view to whole steps along x and z. The fractions are kept for the next steps.
 class TurnedSteps {
  public:
   // x and z in the scene.
