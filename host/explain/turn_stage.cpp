@@ -213,6 +213,14 @@ std::vector<Mark> TurnStage::view(const pl::EdgeStructureGraph& graph, double an
   return marks;
 }
 
+std::vector<Mark> TurnStage::fitted(Look look, const std::vector<pl::ImageLine>& lines, double radius) const {
+  const double scale = std::min(1.0, std::min(reach_, (high_ - low_) / 2) / radius);
+  const auto at = [&](double u, double v) { return Point{handedness_ * scale * u, (low_ + high_) / 2 + scale * v}; };
+  std::vector<Mark> marks;
+  for (const pl::ImageLine& each : lines) marks.push_back(line(look, {at(each.u0, each.v0), at(each.u1, each.v1)}));
+  return marks;
+}
+
 std::vector<Mark> TurnStage::seen(const picture::LinePicture& drawn, double angle) const {
   std::vector<Mark> marks;
   for (const picture::LinePiece& piece : drawn.pieces)
