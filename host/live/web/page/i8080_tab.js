@@ -62,7 +62,7 @@ export class I8080Tab {
           field('Points along x', o.points, number('points'), {type: 'number', min: 2, max: 128}, 'Points of the grid in each slice; more are finer and slower'),
           field('Slices', o.slices, number('slices'), {type: 'number', min: 2, max: 128}, 'Rows of the grid, from the foreground to the background'),
           field('Contour levels', o.levels, number('levels'), {type: 'number', min: 1, max: 60}, 'Number of heights in a picture of contours'),
-          field('Cells cut in', o.subdivide, number('subdivide'), {type: 'number', min: 1, max: 16}, 'Cells along a side of each cell of the grid, on smooth curves: for smooth contours'),
+          field('Cells cut in', o.subdivide, number('subdivide'), {type: 'number', min: 1, max: 16}, 'Cells along a side of each cell of the grid, on smooth curves: for smooth contours. Lines become smooth, and not more'),
           check('Hidden lines removed', o.visibility, again('visibility'), 'If not set, all lines are drawn completely'),
           check('Temporary masks', o.masks, again('masks'), "If not set, the program leaves out Skala's masks M1T and M1B: lines that fall lose dots")],
           ...this.ofStripes = [check('Smooth edges', o.antialias, again('antialias'), 'Dots at edges have the mixed grey of the faces in them')],
