@@ -69,14 +69,10 @@ class AltairSerial : public core::PortDevice, public core::Terminal, public core
   // Port 0: status and control; 1: data.
   [[nodiscard]] std::uint8_t read(std::uint8_t port, core::TStateInstant at) {
     advance(at);
-    if ((port & 1U) == 0) {
-      if (at_end()) polls_.add();
-      return status();
-    }
-    if (!key_is_there()) {
-      if (at_end()) polls_.add();
-      return last_read_;
-    }
+    const bool key = key_is_there();
+    if (!key && at_end()) polls_.add();
+    if ((port & 1U) == 0) return status(key);
+    if (!key) return last_read_;
     if (tape_read_ < tape_.size()) {
       last_read_ = tape_[tape_read_++];
     } else {
@@ -113,10 +109,7 @@ class AltairSerial : public core::PortDevice, public core::Terminal, public core
     if (!at_end() && next_key_ > now_) next = std::min(next, next_key_);
     return next;
   }
-  [[nodiscard]] bool interrupt() const {
-    const bool sends = board_ == AltairBoard::sio ? (control_ & 2U) != 0 : (control_ & 0x60U) == 0x20;
-    return (receives() && key_is_there()) || (sends && !holding_);
-  }
+  [[nodiscard]] bool interrupt() const { return interrupt(key_is_there()); }
 
   // The terminal's side. A typed key is sent as soon as the line and the program allow.
   void type(std::uint8_t code) override {
@@ -178,10 +171,15 @@ class AltairSerial : public core::PortDevice, public core::Terminal, public core
   // Nothing is left to be received.
   [[nodiscard]] bool at_end() const { return keys_.empty() && tape_read_ == tape_.size(); }
   [[nodiscard]] bool key_is_there() const { return !at_end() && next_key_ <= now_; }
-  [[nodiscard]] std::uint8_t status() const {
-    const bool in = key_is_there(), out = !holding_;
-    if (board_ == AltairBoard::sio) return static_cast<std::uint8_t>((in ? 0U : 1U) | (out ? 0U : 0x80U));
-    return static_cast<std::uint8_t>((in ? 1U : 0U) | (out ? 2U : 0U) | (interrupt() ? 0x80U : 0U));
+  // `key`: key_is_there(), which a program that polls should not pay for more than once.
+  [[nodiscard]] bool interrupt(bool key) const {
+    const bool sends = board_ == AltairBoard::sio ? (control_ & 2U) != 0 : (control_ & 0x60U) == 0x20;
+    return (receives() && key) || (sends && !holding_);
+  }
+  [[nodiscard]] std::uint8_t status(bool key) const {
+    const bool out = !holding_;
+    if (board_ == AltairBoard::sio) return static_cast<std::uint8_t>((key ? 0U : 1U) | (out ? 0U : 0x80U));
+    return static_cast<std::uint8_t>((key ? 1U : 0U) | (out ? 2U : 0U) | (interrupt(key) ? 0x80U : 0U));
   }
 
   AltairBoard board_;

@@ -72,43 +72,18 @@ std::optional<double> whole_double(std::string_view text, bool exponent) {
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// Reads what most numbers of a file are: at most 15 digits, perhaps with a point, without an exponent. The digits as a whole number
-// and the power of ten are exact doubles, so their quotient is rounded once. Empty for every other text.
-std::optional<double> short_decimal(std::string_view text) {
-  constexpr std::size_t most_digits = 15;
-  constexpr std::array<double, most_digits + 1> powers{1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-  const bool negative = text.starts_with('-');
-  if (negative) text.remove_prefix(1);
-  if (text.empty() || text.size() > most_digits + 1) return std::nullopt;
-  std::uint64_t digits = 0;
-  std::size_t point = text.size();
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (is_digit(text[i])) {
-      digits = 10 * digits + static_cast<std::uint64_t>(text[i] - '0');
-    } else if (text[i] == '.' && point == text.size()) {
-      point = i;
-    } else {
-      return std::nullopt;
-    }
-  }
-  const std::size_t count = point < text.size() ? text.size() - 1 : text.size();
-  if (count == 0 || count > most_digits) return std::nullopt;
-  const auto whole = static_cast<double>(digits);
-  const double value = point < text.size() ? whole / powers[text.size() - 1 - point] : whole;
-  return negative ? -value : value;
-}
-
 }  // namespace
 
 std::optional<std::int64_t> signed_number(std::string_view text, int radix) {
   constexpr std::size_t surely_fits = 18;
   if (radix == 10 && !text.empty() && text.size() <= surely_fits && is_digit(text[0])) {
-    std::int64_t value = 0;
+    std::uint64_t value = 0;
     for (const char c : text) {
-      if (!is_digit(c)) return std::nullopt;
-      value = 10 * value + (c - '0');
+      const unsigned digit = static_cast<unsigned char>(c) - unsigned{'0'};
+      if (digit >= 10) return std::nullopt;
+      value = 10 * value + digit;
     }
-    return value;
+    return static_cast<std::int64_t>(value);
   }
   return whole_text<std::int64_t>(text, radix);
 }
@@ -133,8 +108,36 @@ std::optional<std::uint64_t> count_number(std::string_view text) {
   return unsigned_number(digits.append(*power - fraction, '0'));
 }
 
+// The digits as a whole number and the power of ten are exact doubles, so their quotient is rounded once.
+std::optional<ShortDecimal> short_decimal(std::string_view text) {
+  constexpr std::size_t most_digits = 15;
+  constexpr std::array<double, most_digits + 1> powers{1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+  const bool negative = text.starts_with('-');
+  if (negative) text.remove_prefix(1);
+  if (text.empty() || text.size() > most_digits + 1) return std::nullopt;
+  std::uint64_t whole = 0;
+  std::size_t point = text.size();
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const unsigned digit = static_cast<unsigned char>(text[i]) - unsigned{'0'};
+    if (digit < 10) {
+      whole = 10 * whole + digit;
+    } else if (text[i] == '.' && point == text.size()) {
+      point = i;
+    } else {
+      return std::nullopt;
+    }
+  }
+  const std::size_t decimals = point < text.size() ? text.size() - 1 - point : 0;
+  std::size_t digits = point < text.size() ? text.size() - 1 : text.size();
+  if (digits == 0 || digits > most_digits) return std::nullopt;
+  const auto magnitude = static_cast<double>(whole);
+  const double value = decimals > 0 ? magnitude / powers[decimals] : magnitude;
+  while (digits > 0 && magnitude < powers[digits - 1]) --digits;  // leading zeros
+  return ShortDecimal{negative ? -value : value, static_cast<int>(digits), static_cast<int>(decimals)};
+}
+
 std::optional<double> decimal_number(std::string_view text) {
-  if (const auto value = short_decimal(text)) return value;
+  if (const auto number = short_decimal(text)) return number->value;
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   const auto value = whole_double(text, true);
   if (!value || !std::isfinite(*value)) return std::nullopt;

@@ -58,7 +58,15 @@ template <std::integral Number, std::size_t count>
 // A finite decimal number: 1, -2.5, +1e-3. Numbers too near 0 for a double become 0. Infinity and NaN are not accepted.
 [[nodiscard]] std::optional<double> decimal_number(std::string_view text);
 
-// The same without a leading '+' and without an exponent, from `least` to `most`.
+// A decimal number as most files have them: at most 15 digits, perhaps with a point, without an exponent or a leading '+'.
+struct ShortDecimal {
+  double value = 0;
+  int digits = 0;    // from the first that is not 0 to the last
+  int decimals = 0;  // behind the point
+};
+[[nodiscard]] std::optional<ShortDecimal> short_decimal(std::string_view text);
+
+// Like decimal_number without a leading '+' and without an exponent, from `least` to `most`.
 [[nodiscard]] std::optional<double> fixed_number(std::string_view text, double least, double most);
 
 // The shortest text that reads as the same number, equal to the output of std::to_chars: fixed or with an exponent,

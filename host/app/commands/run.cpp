@@ -205,6 +205,8 @@ ExitCode run(const MachineDescription& description, Arguments arguments) {
   } else if (!outputs.uses_stdout() && !console) {
     write_stdout(table_report(description, machine, stop));
   } else {
+    // On a terminal it would otherwise continue the program's last line.
+    if (!person && base::stderr_is_terminal()) static_cast<void>(std::fputs("\n", stderr));
     static_cast<void>(std::fputs(table_report(description, machine, stop).c_str(), stderr));
   }
   if (disk_failure) throw *disk_failure;

@@ -122,7 +122,7 @@ SkalaFunction from_file(const SkalaSource& source, scene::GridSize size) {
   if (!source.x_range.empty() || !source.y_range.empty())
     throw base::usage_error(fmt::format("{}: a grid file has its own ranges; found --x-range or --y-range", display_name(file)));
   if (source.nodata) require_finite("--nodata", *source.nodata);
-  scene::GridFileOptions options{source.columns, layout_named(source.layout), source.nodata, source.thin, {}};
+  scene::GridFileOptions options{source.columns, layout_named(source.layout), source.nodata, source.thin, false, {}};
   if (source.triangulate) options.triangulate = size;
   SkalaFunction function;
   function.name = display_name(file);

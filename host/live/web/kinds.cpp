@@ -127,9 +127,10 @@ Json scene_file(const File& file) {
 }
 
 Json grid(const File& file) {
-  const auto read = scene::read_height_grid(file.text, file.name);
+  const auto read = scene::read_height_grid(file.text, file.name, {.thin_to_fit = true});
   if (!read) return damaged("grid", read.error().message());
-  return kind("grid", fmt::format("a grid of {} by {} heights", read->points(), read->slices()));
+  const std::string note = read->note.empty() ? "" : "; " + read->note;
+  return kind("grid", fmt::format("a grid of {} by {} heights{}", read->points(), read->slices(), note));
 }
 
 Json json_file(const File& file) {
@@ -229,7 +230,7 @@ Json kind_of(const File& file) {
     return kind("material", "the materials of an OBJ file");
   if (file.ends_in({".asm", ".mac", ".src"})) return source(machines::i8080());
   if (file.ends_in({".s", ".pal"})) return source(machines::pdp7());
-  if (scene::read_height_grid(file.text, file.name)) return grid(file);
+  if (scene::read_height_grid(file.text, file.name, {.thin_to_fit = true})) return grid(file);
   if (auto found = assembled(file)) return std::move(*found);
   return kind_by_name(file);
 }

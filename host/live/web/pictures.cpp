@@ -104,7 +104,7 @@ base::Result<scene::HeightGrid> known_heights(const Workbench& workbench, const 
     if (!grid) return base::bad_input(message_of(grid.error()));
     return grid;
   }
-  if (workbench.file(name) != nullptr) return scene::read_height_grid(grid_text(workbench, name), name);
+  if (workbench.file(name) != nullptr) return scene::read_height_grid(grid_text(workbench, name), name, {.thin_to_fit = true});
   const auto function = scene::height_function(name);
   if (!function) return base::bad_input(fmt::format("{}: no function of that name, expected one of {}", name, scene::height_function_names()));
   return scene::sample(*function, wanted);

@@ -212,15 +212,20 @@ GridSize size_of(const SurfaceNet& net) { return {net.points, net.curves}; }
 
 template <class Surface>
 std::optional<base::Error> make_smaller(Surface& surface, const GridFileOptions& options, std::string_view source) {
-  if (options.thin && *options.thin > 1) {
+  const auto thin_by = [&surface](std::size_t step) {
     const GridSize before = size_of(surface);
-    surface = thinned(surface, *options.thin);
-    add_thinning_note(surface.note, *options.thin, before, size_of(surface));
-  }
+    surface = thinned(surface, step);
+    add_thinning_note(surface.note, step, before, size_of(surface));
+  };
+  if (options.thin && *options.thin > 1) thin_by(*options.thin);
   const GridSize size = size_of(surface);
   if (size.points <= largest_grid.points && size.slices <= largest_grid.slices) return std::nullopt;
   const std::size_t most = largest_grid.points;
   const std::size_t step = (std::max(size.points, size.slices) + most - 1) / most * options.thin.value_or(1);
+  if (!options.thin && options.thin_to_fit) {
+    thin_by(step);
+    return std::nullopt;
+  }
   return base::Error{std::string(source), "", count_of(size.slices, "slice") + " of " + count_of(size.points, "point"),
                      "at most 1024 of 1024",
                      "--thin " + std::to_string(step) + " takes every " + ordinal(step) + " point"};

@@ -50,6 +50,8 @@ struct GridFileOptions {
   std::optional<double> nodata = {};  // heights that are holes, besides those that the format calls so
   // Every n-th point and slice is taken, from 1. Empty: all, and an error that says how to thin a larger grid than largest_grid.
   std::optional<std::size_t> thin = {};
+  // In place of that error such a grid is thinned, as the note says.
+  bool thin_to_fit = false;
   // Points are triangulated, and the surface is sampled at this size.
   std::optional<GridSize> triangulate = {};
 };

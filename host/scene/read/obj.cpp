@@ -81,14 +81,13 @@ class ObjReader {
     }
     std::array<double, 3> point{};
     for (std::size_t a = 0; a < 3; ++a) {
-      const auto number = coordinate_of(fields[a + 1]);
+      const auto number = precision_.read(fields[a + 1]);
       if (!number) {
         error_ = lines_.unexpected(fields[a + 1], "a number");
         return;
       }
       if (!std::isfinite(*number) && !mesh_.flaw) mesh_.flaw = lines_.unexpected(fields[a + 1], "a finite number");
       point[a] = *number;
-      precision_.add(fields[a + 1], *number);
     }
     mesh_.vertices.push_back(point);
   }

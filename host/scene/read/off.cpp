@@ -118,12 +118,11 @@ class OffReader {
   bool find_line() { return !lines_.rest().empty() || lines_.next(); }
 
   bool read_coordinate(std::string_view field, std::size_t i, std::array<double, 3>& point) {
-    const auto number = coordinate_of(field);
+    const auto number = i < 3 ? precision_.read(field) : coordinate_of(field);
     if (!number) return fail(lines_.unexpected(field, "a number"));
     if (i >= 3) return true;
     if (!std::isfinite(*number) && !mesh_.flaw) mesh_.flaw = lines_.unexpected(field, "a finite number");
     point[i] = *number;
-    precision_.add(field, *number);
     return true;
   }
 

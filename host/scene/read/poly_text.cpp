@@ -16,6 +16,13 @@ constexpr bool is_blank(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
+// Of each character whether it is a blank that ends no line.
+constexpr std::array<bool, 256> is_space = [] {
+  std::array<bool, 256> result{};
+  for (const char c : {' ', '\t', '\v', '\f'}) result[static_cast<unsigned char>(c)] = true;
+  return result;
+}();
+
 // Of each character whether a field, or what a splitter passes over within one, ends before it.
 constexpr std::array<bool, 256> stops = [] {
   std::array<bool, 256> result{};
@@ -54,8 +61,10 @@ bool PolyLines::split_line() {
   const auto ends_line = [end](const char* c) { return c == end || *c == '\n' || (*c == '\r' && c + 1 != end && c[1] != '\n'); };
   const char* at = line;
   bool comment = false;
-  while (!ends_line(at) && !comment) {
-    if (is_blank(*at)) {
+  while (!comment) {
+    while (at != end && is_space[static_cast<unsigned char>(*at)]) ++at;
+    if (ends_line(at)) break;
+    if (*at == '\r') {  // of CRLF, or the last character
       ++at;
       continue;
     }

@@ -7,6 +7,9 @@
 #include <cstdint>
 #include <limits>
 
+#include "host/base/number.hpp"
+#include "host/scene/read/poly_text.hpp"
+
 namespace sightline::scene {
 namespace {
 
@@ -54,6 +57,16 @@ double float64_precision(std::span<const std::array<double, 3>> vertices) {
   return spacing_at(largest_of(vertices), 52);
 }
 
+std::optional<double> TextPrecision::read(std::string_view field) {
+  if (const auto number = base::short_decimal(field)) {
+    if (number->value != 0) add(number->value, {-number->decimals, number->digits});
+    return number->value;
+  }
+  const auto value = coordinate_of(field);
+  if (value) add(field, *value);
+  return value;
+}
+
 void TextPrecision::add(std::string_view written, double value) {
   if (value == 0 || !std::isfinite(value)) return;
   // A sign, digits, a point and digits, and an exponent.
@@ -84,10 +97,12 @@ void TextPrecision::add(std::string_view written, double value) {
       if (d >= '0' && d <= '9' && exponent < 10'000) exponent = 10 * exponent + (d - '0');
     if (power.starts_with('-')) exponent = -exponent;
   }
-  const int last_decimal = std::max(exponent - decimals, -400);
-  const Seen seen{last_decimal, digits};
+  add(value, {std::max(exponent - decimals, -400), digits});
+}
+
+void TextPrecision::add(double value, const Seen& seen) {
   seen_[static_cast<std::size_t>(binary_exponent(value) - lowest)].add(seen);
-  add_top(seen, last_decimal + digits);
+  add_top(seen, seen.last_decimal + seen.digits);
 }
 
 void TextPrecision::add(const TextPrecision& other) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,8 @@ namespace sightline::scene {
 // are rounded anyway.
 class TextPrecision {
  public:
+  // Reads a coordinate (coordinate_of), which counts if it is finite.
+  [[nodiscard]] std::optional<double> read(std::string_view field);
   // A coordinate as written, and its value; one that is not finite does not count.
   void add(std::string_view written, double value);
   // All that `other` has seen.
@@ -36,6 +39,7 @@ class TextPrecision {
 
     void add(const Seen& other);
   };
+  void add(double value, const Seen& seen);
   // `decade`: the first digit stands for 10 to this power less 1.
   void add_top(const Seen& seen, int decade);
 

@@ -175,14 +175,13 @@ class TextStl {
       std::array<double, 3> point{};
       for (std::size_t a = 0; a < 3; ++a) {
         const std::string_view field = lines_.take();
-        const auto number = coordinate_of(field);
+        const auto number = precision_.read(field);
         if (!number) {
           error_ = lines_.unexpected(field, "a number");
           return;
         }
         if (!std::isfinite(*number) && !mesh_.flaw) mesh_.flaw = lines_.unexpected(field, "a finite number");
         point[a] = *number;
-        precision_.add(field, *number);
       }
       face.outline.push_back(pool_.add(point));
     }

@@ -97,6 +97,27 @@ TEST(DecimalNumber, IsTheNearestDouble) {
   for (const char* const wrong : {".", "-", "-.", "1.2.3", "--1", "1-", "1e", "12a"}) EXPECT_FALSE(decimal_number(wrong)) << wrong;
 }
 
+TEST(ShortDecimal, SaysHowTheNumberIsWritten) {
+  struct Case {
+    const char* text;
+    double value;
+    int digits;
+    int decimals;
+  };
+  for (const auto& [text, value, digits, decimals] :
+       {Case{"0", 0, 0, 0}, Case{"-7", -7, 1, 0}, Case{"1200", 1200, 4, 0}, Case{"007", 7, 1, 0}, Case{"0.0012", 0.0012, 2, 4},
+        Case{"0.50", 0.5, 2, 2}, Case{"12.", 12, 2, 0}, Case{".5", 0.5, 1, 1}, Case{"10.01", 10.01, 4, 2}, Case{"0.000", 0, 0, 3},
+        Case{"999999999999999", 999999999999999.0, 15, 0}}) {
+    const auto number = short_decimal(text);
+    ASSERT_TRUE(number) << text;
+    EXPECT_EQ(number->value, value) << text;
+    EXPECT_EQ(number->digits, digits) << text;
+    EXPECT_EQ(number->decimals, decimals) << text;
+  }
+  for (const char* const other : {"", "-", ".", "-.", "+1", "1e3", "1.2.3", "1 ", "1234567890123456", "nan", "1/2", "1:2"})
+    EXPECT_FALSE(short_decimal(other)) << other;
+}
+
 TEST(FixedNumber, HasNoExponentAndIsInTheRange) {
   EXPECT_EQ(fixed_number("0.25", 0, 1), 0.25);
   EXPECT_EQ(fixed_number("1", 0, 1), 1.0);

@@ -136,6 +136,9 @@ TEST(HgtGrid, NorthWestFirst) {
 TEST(HgtGrid, OneSecond) {
   EXPECT_EQ(error_of(tile(3601), "N47E011.hgt"), "N47E011.hgt: found 3601 slices of 3601 points, expected at most 1024 of 1024; --thin 4 takes every 4th point");
   EXPECT_EQ(grid_of(tile(3601), "N47E011.hgt", {.thin = 4}).points(), 901U);
+  const HeightGrid fitted = grid_of(tile(3601), "N47E011.hgt", {.thin_to_fit = true});
+  EXPECT_EQ(fitted.heights, grid_of(tile(3601), "N47E011.hgt", {.thin = 4}).heights);
+  EXPECT_EQ(fitted.note, "every 4th point of 3601 x 3601 is taken, a grid of 901 x 901");
 }
 
 TEST(HgtGrid, OtherSizes) {
