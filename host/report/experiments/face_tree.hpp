@@ -1,5 +1,6 @@
 // A BSP tree of the faces of a scene, after H. Fuchs, Z. M. Kedem and B. F. Naylor, "On visible surface generation by a priori tree
-// structures", Computer Graphics 14(3), 1980: the method with which Willis (1977) and Plantinga, Seales and Dyer (1990) compare theirs.
+// structures", Computer Graphics 14(3), 1980: the method with which Plantinga, Seales and Dyer (1990) compare theirs. The trees of
+// Schumacker, which Willis (1977) calls time-consuming to scan, have planes between clusters of faces.
 //
 // The tree is made once, of the planes of faces, which cut other faces (host/scene/cells/bsp). Each view scans the whole tree and
 // paints every polygon that is turned to the eye, the farthest first.
@@ -37,10 +38,10 @@ class FaceTree {
 
   // Everything that a scan reads, in the order of the tree.
   struct Node {
-    std::array<double, 4> plane{};              // normal, and -offset
-    std::array<std::uint32_t, 2> children{};    // behind, in front; or `leaf`
-    std::uint32_t first = 0;                    // of its polygons, of those seen from the front
-    std::uint32_t first_behind = 0;             // of those seen from behind
+    std::array<double, 4> plane{};            // normal, and -offset
+    std::array<std::uint32_t, 2> children{};  // behind, in front; or `leaf`
+    std::uint32_t first = 0;                  // of its polygons, of those seen from the front
+    std::uint32_t first_behind = 0;           // of those seen from behind
     std::uint32_t end = 0;
   };
 
