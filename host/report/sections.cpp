@@ -23,6 +23,7 @@
 #include "host/report/experiments/skala_accuracy.hpp"
 #include "host/report/experiments/skala_pictures.hpp"
 #include "host/report/experiments/skala_wishes.hpp"
+#include "host/report/experiments/willis_facing.hpp"
 #include "host/report/experiments/willis_flight.hpp"
 #include "host/report/experiments/willis_order.hpp"
 #include "host/report/experiments/willis_times.hpp"
@@ -54,6 +55,7 @@ const std::vector<Experiment>& report_experiments() {
       experiment(&jones_accuracy),
       experiment(&willis_order),
       experiment(&willis_flight),
+      experiment(&willis_facing),
       experiment(&cross_check),
       experiment(&jones_views),
       experiment(&jones_walks),
@@ -116,6 +118,7 @@ const std::vector<SectionPlan>& report_sections() {
       {"willis", "Willis 1977: distance as priority", "willis",
        {chapter("willis-timing", 1, &willis_timing),
         chapter("willis-flight", 1, &willis_flight_chapter),
+        chapter("willis-facing", 1, &willis_facing_chapter),
         chapter("willis-accuracy", 2, &willis_accuracy)}},
       {"plantinga", "Plantinga, Seales and Dyer 1990: a rotating scene", "plantinga",
        {chapter("plantinga-timing", 1, &plantinga_timing),

@@ -1,5 +1,13 @@
 ; Keys of points whose coordinates are bytes: squares of differences from a table, 16 bits.
 
+; Where only some points get a key: their numbers are the list at HL (put into the instruction by its first line), and L is the next of them.
+PICKB   MACRO
+        IF      FACING
+        LXI     H,0
+        MOV     L,M
+        ENDIF
+        ENDM
+
 ; The difference of M from the eye, as an index in C.
 DIFFB   MACRO   NAME
         LOCAL   POS
@@ -30,25 +38,37 @@ NEXTB   MACRO
         ADC     D
         MOV     D,A
         ENDM
-; The key of number L, and the next lower number.
+; The key of number L, and the next lower number, or the next of the list.
 KEEPB   MACRO   LOOP
         MVI     H,K1P
         MOV     M,E
         DCR     H
         MOV     M,D
+        IF      FACING
+        LXI     H,LOOP+1
+        INR     M
+        ELSE
         DCR     L
+        ENDIF
         JNZ     LOOP
         RET
         ENDM
 
-KEYB2:  LDA     EYE
+KEYB2:
+        IF      FACING
+        SHLD    KEYB2L+1
+        ENDIF
+        LDA     EYE
         STA     EB2X+1
         LDA     EYE+1
         STA     EB2Y+1
+        IF      FACING-1
         LDA     TOTAL
         MOV     L,A
+        ENDIF
         MVI     B,SQHP
-KEYB2L: MVI     H,XBP
+KEYB2L: PICKB
+        MVI     H,XBP
         DIFFB   EB2X
         FIRSTB
         INR     H
@@ -56,16 +76,23 @@ KEYB2L: MVI     H,XBP
         NEXTB
         KEEPB   KEYB2L
 
-KEYB3:  LDA     EYE
+KEYB3:
+        IF      FACING
+        SHLD    KEYB3L+1
+        ENDIF
+        LDA     EYE
         STA     EB3X+1
         LDA     EYE+1
         STA     EB3Y+1
         LDA     EYE+2
         STA     EB3Z+1
+        IF      FACING-1
         LDA     TOTAL
         MOV     L,A
+        ENDIF
         MVI     B,SQHP
-KEYB3L: MVI     H,XBP
+KEYB3L: PICKB
+        MVI     H,XBP
         DIFFB   EB3X
         FIRSTB
         INR     H

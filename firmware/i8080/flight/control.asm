@@ -7,10 +7,14 @@ PREC:   DB      0               ; precision 1, 2, 3
 AXES:   DB      0
 COUNT:  DB      0               ; N
 PLANES: DB      0               ; D
-TOTAL:  DB      0               ; points: N + 2 D
-FIRST:  DB      0               ; low byte of the order's first place: 256 - N
+TOTAL:  DB      0               ; points: N + 2 D, with the facing test M + 1 more
+FIRST:  DB      0               ; low byte of the order's first place: 256 less its pieces
 SUMS:   DW      0               ; s, t between packets
 EYE:    DS      6
+        IF      FACING
+MDIRS:  DB      0               ; M, directions
+ORIGIN: DB      0               ; number of the point from which they go: N + 2 D + 1
+        ENDIF
 
 START:  DI
         LXI     SP,STACK
@@ -31,7 +35,11 @@ START:  DI
         CPI     'F'
         JNZ     STOP
         CALL    GETB
+        IF      FACING
+        CPI     'F'
+        ELSE
         CPI     'L'
+        ENDIF
         JNZ     STOP
         MVI     B,RANGE
         CALL    GETB
@@ -59,6 +67,18 @@ START:  DI
         ADD     A
         ADD     H
         JC      STOP
+        IF      FACING
+        INR     A
+        JZ      STOP
+        STA     ORIGIN
+        MOV     H,A
+        CALL    GETB
+        STA     MDIRS
+        ORA     A
+        JZ      STOP
+        ADD     H
+        JC      STOP
+        ENDIF
         STA     TOTAL
         LDA     PREC
         DCR     A
@@ -111,6 +131,9 @@ PWORD2: MOV     A,C             ; back by one point
 PDONE:  LDA     PLANES
         ORA     A
         CNZ     GETCEL
+        IF      FACING
+        CALL    GETENT
+        ENDIF
         MVI     B,BADPCS
         CALL    GETCHK
         PUSH    D
@@ -141,8 +164,12 @@ EDONE:  MVI     B,BADPKT
         CALL    GETCHK
         XCHG
         SHLD    SUMS
+        IF      FACING
+        CALL    FACES
+        ELSE
         CALL    KEYS            ; the routine of the precision
         CALL    ORDER
+        ENDIF
         LDA     PLANES
         ORA     A
         CNZ     RANKS
@@ -258,6 +285,9 @@ INIT1:  MOV     M,A
         INR     H
         DCR     B
         JNZ     INIT1
+        IF      FACING
+        CALL    BEGIN
+        ELSE
         LDA     FIRST
         MOV     L,A
         MVI     H,LISTP
@@ -267,6 +297,7 @@ INIT2:  MOV     M,B             ; 0 before the first place, then 1, 2 ... N
         INR     B
         INR     L
         JNZ     INIT2
+        ENDIF
         LXI     H,ORDER2
         SHLD    SAMELO+1
         LXI     H,PUT

@@ -16,6 +16,18 @@ NEXT    EQU     1B00H           ; by cell: the priority of its next piece
 SIZE    EQU     1C00H           ; by cell: how many pieces
 USED    EQU     1D00H           ; by cell or plane: it stands below another plane
 STACK   EQU     2100H
+        IF      FACING
+FACE    EQU     2200H           ; by number: 1 if the piece faces the eye, 0 if not; FF before its entry has come
+; Lists of numbers like LIST, each in a page that it fills from the end. The first byte is the place of the first number, 0 of none.
+FIXED   EQU     2300H           ; the points that are no pieces
+NEW     EQU     2400H           ; pieces that have come to face the eye in this frame, the first found last
+AWAY    EQU     2500H           ; pieces that have turned away, likewise
+PLACEL  EQU     2600H           ; by number: the address of its coordinates if they are words, the low half
+PLACEH  EQU     2700H           ; the high half
+REACHED EQU     2800H           ; by direction: the address of the entry that its value would pass next
+MORE    EQU     2900H           ; the program's second part
+ENTRIES EQU     2E00H           ; of each direction a sentinel and its entries, then one more sentinel; five bytes each
+        ENDIF
 SQ4     EQU     8000H           ; squares of -4095..4095, 3 bytes each at SQ4 + 4d, from 4004 to BFFE
 
 SQLP    EQU     SQL SHR 8
@@ -31,6 +43,12 @@ CELLP   EQU     CELL SHR 8
 NEXTP   EQU     NEXT SHR 8
 SIZEP   EQU     SIZE SHR 8
 USEDP   EQU     USED SHR 8
+        IF      FACING
+FACEP   EQU     FACE SHR 8
+NEWP    EQU     NEW SHR 8
+AWAYP   EQU     AWAY SHR 8
+PLACEP  EQU     PLACEL SHR 8
+        ENDIF
 
 ; ---- The priority display
 PDNUM   EQU     70H             ; number of a piece

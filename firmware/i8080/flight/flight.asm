@@ -4,15 +4,7 @@
 ; SPECIFICATION.md; NOTES.md says what each part costs. Left out: all that has to do with the screen, which is the host's part and
 ; the display's, and interrupts (link and display are polled; the stack pointer reads the coordinates).
 
-        INCLUDE ../ports.asm
-        INCLUDE equates.asm
-        INCLUDE control.asm
-        INCLUDE bytes.asm
-        INCLUDE table.asm
-        INCLUDE words.asm
-        INCLUDE order.asm
-        INCLUDE cells.asm
-
-CODEND  EQU     $               ; may not reach the squares
+FACING  EQU     0
+        INCLUDE program.asm
 
         END     START

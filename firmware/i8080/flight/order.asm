@@ -2,9 +2,12 @@
 ; And the priorities.
 
 ; DE = first two bytes of the key before; HL = place in the order, B = K0P.
-ORDER:  LDA     FIRST
+ORDER:
+        IF      FACING-1        ; with the facing test HL is given
+        LDA     FIRST
         MOV     L,A
         MVI     H,LISTP
+        ENDIF
         MVI     B,K0P
         LXI     D,0
 ORDER1: MOV     C,M
@@ -101,7 +104,12 @@ LOWCM1: MVI     B,K0P
         RET
 
 ; ---- The nearest piece gets the priority N, the farthest 1.
-LOAD:   LDA     PLANES
+LOAD:
+        IF      FACING
+        CALL    LOADA
+        RZ
+        ENDIF
+        LDA     PLANES
         ORA     A
         JNZ     LOADC
         LDA     COUNT

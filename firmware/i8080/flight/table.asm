@@ -44,6 +44,27 @@ TABPUT: MOV     M,E
 TABUP:  DW      0
 TABDN:  DW      0
 
+; Number E of the list at HL (put into the instruction by its routine's first line), and the stack pointer at its coordinates.
+PICKW   MACRO
+        IF      FACING
+        LXI     H,0
+        MOV     E,M
+        MOV     L,E
+        MVI     H,PLACEP
+        MOV     A,M
+        INR     H
+        MOV     H,M
+        MOV     L,A
+        SPHL
+        ENDIF
+        ENDM
+; The next of the list, or HL as it was.
+NEXTW   MACRO   LOOP
+        LXI     H,LOOP+1
+        INR     M
+        JNZ     LOOP
+        ENDM
+
 ; SQ4 - 4 EYE into an LXI or two halves of an addition. The eye is kept times four.
 EYET    MACRO   FROM
         LHLD    FROM
@@ -98,32 +119,47 @@ KEEPT   MACRO
         INR     E
         ENDM
 
-KEYT2:  EYET    EYE
+KEYT2:
+        IF      FACING
+        SHLD    KEYT2L+1
+        ENDIF
+        EYET    EYE
         SHLD    ET2X+1
         EYET    EYE+2
         MOV     A,L
         STA     ET2YL+1
         MOV     A,H
         STA     ET2YH+1
+        IF      FACING-1
         LDA     TOTAL
         INR     A
         STA     ET2N+1
+        ENDIF
         LXI     H,0
         DAD     SP
         SHLD    KEYSP
         LXI     SP,POINTS
         MVI     E,1
-KEYT2L: FIRSTT  ET2X
+KEYT2L: PICKW
+        FIRSTT  ET2X
         NEXTT   ET2YL,ET2YH
         KEEPT
+        IF      FACING
+        NEXTW   KEYT2L
+        ELSE
         MOV     A,E
 ET2N:   CPI     0
         JNZ     KEYT2L
+        ENDIF
         LHLD    KEYSP
         SPHL
         RET
 
-KEYT3:  EYET    EYE
+KEYT3:
+        IF      FACING
+        SHLD    KEYT3L+1
+        ENDIF
+        EYET    EYE
         SHLD    ET3X+1
         EYET    EYE+2
         MOV     A,L
@@ -135,21 +171,28 @@ KEYT3:  EYET    EYE
         STA     ET3ZL+1
         MOV     A,H
         STA     ET3ZH+1
+        IF      FACING-1
         LDA     TOTAL
         INR     A
         STA     ET3N+1
+        ENDIF
         LXI     H,0
         DAD     SP
         SHLD    KEYSP
         LXI     SP,POINTS
         MVI     E,1
-KEYT3L: FIRSTT  ET3X
+KEYT3L: PICKW
+        FIRSTT  ET3X
         NEXTT   ET3YL,ET3YH
         NEXTT   ET3ZL,ET3ZH
         KEEPT
+        IF      FACING
+        NEXTW   KEYT3L
+        ELSE
         MOV     A,E
 ET3N:   CPI     0
         JNZ     KEYT3L
+        ENDIF
         LHLD    KEYSP
         SPHL
         RET

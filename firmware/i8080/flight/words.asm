@@ -97,7 +97,7 @@ IDIFF:  MVI     L,0
 NOBORR:
         ENDM
 
-; The key of the number in the instruction NUM, and the next number.
+; The key of the number in the instruction NUM, and the next number, or the next of the list.
 KEEPW   MACRO   NUM,LAST,THIRD,LOWEST,LOOP
         MOV     A,D
         ADD     C
@@ -113,22 +113,28 @@ NUM:    MVI     L,0
         MOV     M,E
         INR     H
 LOWEST: MVI     M,0
+        IF      FACING
+        NEXTW   LOOP
+        ELSE
         INR     L
         MOV     A,L
         STA     NUM+1
 LAST:   CPI     0
         JNZ     LOOP
+        ENDIF
         LHLD    KEYSP
         SPHL
         RET
         ENDM
 
 BEGINW  MACRO   NUM,LAST
+        IF      FACING-1
         MVI     A,1
         STA     NUM+1
         LDA     TOTAL
         INR     A
         STA     LAST+1
+        ENDIF
         LXI     H,0
         DAD     SP
         SHLD    KEYSP
@@ -144,10 +150,19 @@ EYEW    MACRO   FROM,LOW,HIGH
         STA     HIGH+1
         ENDM
 
-KEYW2:  EYEW    EYE,EW2XL,EW2XH
+KEYW2:
+        IF      FACING
+        SHLD    KEYW2L+1
+        ENDIF
+        EYEW    EYE,EW2XL,EW2XH
         EYEW    EYE+2,EW2YL,EW2YH
         BEGINW  NUMW2,LASTW2
-KEYW2L: DIFFW   EW2XL,EW2XH,LW2X,CW2X
+KEYW2L: PICKW
+        IF      FACING
+        MOV     A,E
+        STA     NUMW2+1
+        ENDIF
+        DIFFW   EW2XL,EW2XH,LW2X,CW2X
         FIRSTH
         DIFFW   EW2YL,EW2YH,LW2Y,CW2Y
         NEXTH
@@ -160,11 +175,20 @@ KEYW2L: DIFFW   EW2XL,EW2XH,LW2X,CW2X
         LESSC   CW2Y,THRDW2
         KEEPW   NUMW2,LASTW2,THRDW2,LWSTW2,KEYW2L
 
-KEYW3:  EYEW    EYE,EW3XL,EW3XH
+KEYW3:
+        IF      FACING
+        SHLD    KEYW3L+1
+        ENDIF
+        EYEW    EYE,EW3XL,EW3XH
         EYEW    EYE+2,EW3YL,EW3YH
         EYEW    EYE+4,EW3ZL,EW3ZH
         BEGINW  NUMW3,LASTW3
-KEYW3L: DIFFW   EW3XL,EW3XH,LW3X,CW3X
+KEYW3L: PICKW
+        IF      FACING
+        MOV     A,E
+        STA     NUMW3+1
+        ENDIF
+        DIFFW   EW3XL,EW3XH,LW3X,CW3X
         FIRSTH
         DIFFW   EW3YL,EW3YH,LW3Y,CW3Y
         NEXTH

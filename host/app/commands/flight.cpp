@@ -29,6 +29,7 @@ struct FlightArguments {
   std::string scene;
   std::string bits = "8";
   bool plan = false;
+  bool facing = false;
   std::uint32_t pieces = 0;
   std::uint32_t frames = 100;
   std::string directory = "out";
@@ -66,12 +67,14 @@ picture::FrameTime display_time(const std::vector<flight::Frame>& frames, std::s
   return {static_cast<std::uint16_t>(std::min<std::int64_t>(shown.count() / 1'000'000, 65'535)), 1000};
 }
 
-std::string frame_table(const std::vector<flight::Frame>& frames) {
-  std::string text = "frame,shown_ms,t_states,waiting_t_states,pieces_moved,pairs_exchanged,pieces_facing,wrong_orders,wrong_points\n";
+std::string frame_table(const std::vector<flight::Frame>& frames, bool facing) {
+  std::string text = "frame,shown_ms,t_states,waiting_t_states,pieces_moved,pairs_exchanged,pieces_facing,wrong_orders,wrong_points";
+  text += facing ? ",pieces_with_key,pieces_appeared,pieces_vanished\n" : "\n";
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const flight::Frame& frame = frames[i];
-    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", i, frame.shown.time_since_epoch().count() / 1'000'000, frame.computing.count(),
+    text += fmt::format("{},{},{},{},{},{},{},{},{}", i, frame.shown.time_since_epoch().count() / 1'000'000, frame.computing.count(),
                         frame.waiting.count(), frame.moved, frame.exchanges, frame.facing, frame.wrong_orders, frame.wrong_points);
+    text += facing ? fmt::format(",{},{},{}\n", frame.listed, frame.turned.appeared, frame.turned.vanished) : "\n";
   }
   return text;
 }
@@ -93,7 +96,8 @@ FlightFiles fly(const FlightArguments& arguments, const scene::LoadedScene& sour
   Output table(made.files[2]);
   const auto shades = picture::face_shades(source.scene);
   std::vector<picture::Image> pictures;
-  flight::Order order{.model = planned.model, .path = planned.path, .precision = precision_of(arguments.bits), .count_points = true, .check = arguments.check};
+  flight::Order order{.model = planned.model, .path = planned.path, .precision = precision_of(arguments.bits), .facing = arguments.facing, .count_points = true,
+                      .check = arguments.check};
   order.picture = [&](std::uint32_t frame, std::span<const std::uint32_t> shown) {
     pictures.push_back(picture::shaded_image(half_size_picture(shown), shades));
     if (frame == arguments.frames / 3) write_png(still, picture::shaded_image(full_picture(shown), shades), {{"Title", title}, {"Software", "sightline"}});
@@ -109,7 +113,7 @@ FlightFiles fly(const FlightArguments& arguments, const scene::LoadedScene& sour
   animation.write(*bytes);
   animation.commit();
   still.commit();
-  table.write(frame_table(made.run.frames));
+  table.write(frame_table(made.run.frames, arguments.facing));
   table.commit();
   return made;
 }
@@ -117,30 +121,39 @@ FlightFiles fly(const FlightArguments& arguments, const scene::LoadedScene& sour
 Json flight_document(const FlightArguments& arguments, const flight::Plan& planned, const FlightFiles& made) {
   const flight::Packed& packed = made.run.packed;
   const flight::Summary& sum = made.run.summary;
-  return Json{{"schema", "sightline/flight/1"},
-              {"scene", arguments.scene},
-              {"plan", arguments.plan},
-              {"bits", std::stoi(arguments.bits)},
-              {"pieces", sum.pieces},
-              {"surfaces", planned.model.surfaces},
-              {"planes", packed.planes},
-              {"residual", planned.model.residual.size()},
-              {"frames", sum.frames},
-              {"coordinate_step", packed.step_in_units},
-              {"distance_error", packed.error_in_units},
-              {"frames_per_second_mean", sum.frames_per_second_mean},
-              {"frames_per_second_worst", sum.frames_per_second_worst},
-              {"computed_per_second_mean", sum.computed_per_second_mean},
-              {"computed_per_second_worst", sum.computed_per_second_worst},
-              {"t_states_mean", sum.t_states_mean},
-              {"t_states_worst", sum.t_states_worst},
-              {"pairs_exchanged_mean", sum.exchanges_mean},
-              {"pairs_exchanged_most", sum.exchanges_most},
-              {"pairs", sum.pairs},
-              {"wrong_orders", sum.wrong_orders},
-              {"wrong_points", sum.wrong_points},
-              {"frames_with_wrong_points", sum.frames_wrong},
-              {"files", made.files}};
+  Json document{{"schema", "sightline/flight/1"},
+                {"scene", arguments.scene},
+                {"plan", arguments.plan},
+                {"bits", std::stoi(arguments.bits)},
+                {"pieces", sum.pieces},
+                {"surfaces", planned.model.surfaces},
+                {"planes", packed.planes},
+                {"residual", planned.model.residual.size()},
+                {"frames", sum.frames},
+                {"coordinate_step", packed.step_in_units},
+                {"distance_error", packed.error_in_units},
+                {"frames_per_second_mean", sum.frames_per_second_mean},
+                {"frames_per_second_worst", sum.frames_per_second_worst},
+                {"computed_per_second_mean", sum.computed_per_second_mean},
+                {"computed_per_second_worst", sum.computed_per_second_worst},
+                {"t_states_mean", sum.t_states_mean},
+                {"t_states_worst", sum.t_states_worst},
+                {"pairs_exchanged_mean", sum.exchanges_mean},
+                {"pairs_exchanged_most", sum.exchanges_most},
+                {"pairs", sum.pairs},
+                {"wrong_orders", sum.wrong_orders},
+                {"wrong_points", sum.wrong_points},
+                {"frames_with_wrong_points", sum.frames_wrong},
+                {"files", made.files}};
+  if (arguments.facing)
+    document["facing_test"] = Json{{"directions", packed.directions},
+                                   {"facing_error", packed.facing_error_in_units},
+                                   {"pieces_with_key_mean", sum.listed_mean},
+                                   {"pieces_with_key_most", sum.listed_most},
+                                   {"pieces_turned_mean", sum.turned_mean},
+                                   {"pieces_turned_most", sum.turned_most},
+                                   {"hidden_facing_pieces", sum.hidden}};
+  return document;
 }
 
 // `unit`: one unit of the scene's coordinates, in units of its file.
@@ -160,6 +173,12 @@ std::string flight_text(const FlightArguments& arguments, const flight::Plan& pl
   row("frames/s computed", sum.computed_per_second_mean, sum.computed_per_second_worst, 1);
   row("T-states", sum.t_states_mean, static_cast<double>(sum.t_states_worst), 0);
   row("pairs exchanged", sum.exchanges_mean, sum.exchanges_most, 1);
+  if (arguments.facing) {
+    row("pieces with a key", sum.listed_mean, sum.listed_most, 1);
+    row("pieces turned", sum.turned_mean, sum.turned_most, 1);
+    text += fmt::format("facing test      {} directions; right beyond {:.3g} from a piece's plane; facing pieces hidden: {}\n", packed.directions,
+                        packed.facing_error_in_units * unit, sum.hidden);
+  }
   text += fmt::format("wrong orders     {} of {} pairs turned to the eye; right beyond a difference of {:.3g}\n", sum.wrong_orders, sum.pairs,
                       packed.error_in_units * unit);
   text += fmt::format("wrong pixels     {}, in {} of {} pictures: they show a face that is not the nearest\n", sum.wrong_points, sum.frames_wrong, sum.frames);
@@ -170,7 +189,7 @@ std::string flight_text(const FlightArguments& arguments, const flight::Plan& pl
 ExitCode run_flight(const FlightArguments& arguments) {
   const scene::LoadedScene source = load_scene(arguments.scene);
   const std::optional<std::size_t> pieces = arguments.pieces > 0 ? std::optional<std::size_t>(arguments.pieces) : std::nullopt;
-  const flight::Plan planned = value_of(flight::plan_flight(source.scene, arguments.plan, arguments.frames, pieces), arguments.scene);
+  const flight::Plan planned = value_of(flight::plan_flight(source.scene, arguments.plan, arguments.frames, pieces, arguments.facing), arguments.scene);
   const FlightFiles made = fly(arguments, source, planned);
   if (arguments.json) {
     print_json(flight_document(arguments, planned, made));
@@ -190,6 +209,7 @@ void add_flight_command(const Command& program) {
   command.option("--bits", arguments->bits, "Bits of a coordinate on the machine").one_of({"8", "12", "16"}).default_value();
   command.flag("--plan", arguments->plan,
                "Measure in plan, along the scene's vertical, as the paper does: walls only, seen from between their feet and tops");
+  command.flag("--facing", arguments->facing, "Run the program with the facing test: keys and priorities only for pieces that face the camera");
   command.option("--pieces", arguments->pieces, "Use only this many pieces, those nearest to the start")
       .default_value("all")
       .range(1, static_cast<int>(flight::most_pieces));

@@ -14,9 +14,9 @@ namespace sightline::live::web {
 namespace flight = programs::flight;
 
 struct Flying::Journey {
-  Journey(flight::Plan&& planned, flight::Precision precision)
+  Journey(flight::Plan&& planned, flight::Precision precision, bool facing)
       : plan(std::move(planned)),
-        run({.model = plan.model, .path = plan.path, .precision = precision, .count_points = true, .shown = true, .check = true}) {}
+        run({.model = plan.model, .path = plan.path, .precision = precision, .facing = facing, .count_points = true, .shown = true, .check = true}) {}
 
   flight::Plan plan;
   flight::FlightInProgress run;
@@ -31,11 +31,12 @@ Json Flying::make(const Workbench& workbench, const Json& request) {
   if (!loaded) return error_answer(loaded.error().message());
   const auto frames = static_cast<std::uint32_t>(std::clamp(number_of(request, "frames", 100), 2.0, 2000.0));
   const auto pieces = static_cast<std::size_t>(std::clamp(number_of(request, "pieces", flight::most_pieces), 1.0, double{flight::most_pieces}));
-  auto planned = flight::plan_flight(loaded->scene, flag_of(request, "plan"), frames, pieces);
+  const bool facing = flag_of(request, "facing");
+  auto planned = flight::plan_flight(loaded->scene, flag_of(request, "plan"), frames, pieces, facing);
   if (!planned) return error_answer(planned.error().message());
   const double bits = number_of(request, "bits", 8);
   const auto precision = bits > 12 ? flight::Precision::bits_16 : bits > 8 ? flight::Precision::bits_12 : flight::Precision::bits_8;
-  journey_ = std::make_unique<Journey>(std::move(*planned), precision);
+  journey_ = std::make_unique<Journey>(std::move(*planned), precision, facing);
 
   Json shades = Json::array();
   const auto number = [](const picture::Shade& shade) { return shade[0] << 16 | shade[1] << 8 | shade[2]; };
@@ -76,6 +77,8 @@ Json Flying::state() const {
     state["frame"] = Json{{"shown_ms", frame.shown.time_since_epoch().count() / 1'000'000}, {"t_states", frame.computing.count()},
                           {"waiting", frame.waiting.count()},   {"moved", frame.moved},
                           {"exchanges", frame.exchanges},       {"facing", frame.facing},
+                          {"with_key", frame.listed},           {"appeared", frame.turned.appeared},
+                          {"vanished", frame.turned.vanished},
                           {"wrong_orders", frame.wrong_orders}, {"wrong_points", frame.wrong_points}};
   }
   return state;

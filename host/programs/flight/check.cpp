@@ -15,6 +15,9 @@ std::string first_wrong_frame(const MachineFlight& machine, const TwinFlight& tw
       return fmt::format("frame {}: piece {} has the priority {}, the twin's {}", frame, at - here.begin(), *at, *other);
     const MachineFrame& made = machine.frames[frame];
     const TwinFrame& wanted = twin.frames[frame];
+    if (made.listed != wanted.listed || made.turned != wanted.turned)
+      return fmt::format("frame {}: {} pieces in the order, {} appeared, {} vanished, the twin's {}, {} and {}", frame, made.listed, made.turned.appeared,
+                         made.turned.vanished, wanted.listed, wanted.turned.appeared, wanted.turned.vanished);
     if (made.moved != wanted.moved || made.exchanges != wanted.exchanges)
       return fmt::format("frame {}: {} pieces moved and {} pairs exchanged, the twin's {} and {}", frame, made.moved, made.exchanges,
                          wanted.moved, wanted.exchanges);

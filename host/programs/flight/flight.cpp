@@ -32,6 +32,7 @@ Summary summary_of(const std::vector<Frame>& frames, std::size_t pieces, core::C
     sum.pairs += std::uint64_t{frame.facing} * (frame.facing - (frame.facing > 0 ? 1 : 0)) / 2;
     sum.wrong_points += frame.wrong_points;
     sum.frames_wrong += frame.wrong_points > 0 ? 1 : 0;
+    sum.hidden += frame.hidden;
     if (i == 0) continue;  // its computing time has no beginning
     const double gap = core::in_seconds(frame.shown - frames[i - 1].shown);
     shown += gap;
@@ -40,6 +41,11 @@ Summary summary_of(const std::vector<Frame>& frames, std::size_t pieces, core::C
     sum.t_states_worst = std::max(sum.t_states_worst, frame.computing.count());
     sum.exchanges_mean += frame.exchanges;
     sum.exchanges_most = std::max(sum.exchanges_most, frame.exchanges);
+    sum.listed_mean += frame.listed;
+    sum.listed_most = std::max(sum.listed_most, frame.listed);
+    const std::uint32_t turned = frame.turned.appeared + frame.turned.vanished;
+    sum.turned_mean += turned;
+    sum.turned_most = std::max(sum.turned_most, turned);
   }
   if (frames.size() < 2) return sum;
   const double count = static_cast<double>(frames.size() - 1);
@@ -50,6 +56,8 @@ Summary summary_of(const std::vector<Frame>& frames, std::size_t pieces, core::C
   sum.computed_per_second_mean = hertz / sum.t_states_mean;
   sum.computed_per_second_worst = hertz / static_cast<double>(sum.t_states_worst);
   sum.exchanges_mean /= count;
+  sum.listed_mean /= count;
+  sum.turned_mean /= count;
   return sum;
 }
 
@@ -100,6 +108,7 @@ class FlightInProgress::Host {
     result.facing = static_cast<std::uint32_t>(exact.size());
     const ShownOrder shown = shown_order(model_, cameras_[frame], exact, priorities);
     result.wrong_orders = shown.wrong;
+    for (const std::uint32_t piece : exact) result.hidden += priorities[piece + 1] == 0 ? 1 : 0;
     if (!points || shown.wrong == 0) return;
     make(frame, exact, spans_);
     const auto right = willis::resolve_priorities(spans_, window(frame));
@@ -126,9 +135,9 @@ class FlightInProgress::Host {
 
 struct FlightInProgress::Parts {
   Parts(const Order& given, const Program& program)
-      : order(given), outcome{pack(given.model, given.path, given.precision), {}, {}, {}}, host(given.model, given.path),
+      : order(given), outcome{pack(given.model, given.path, given.precision, given.facing), {}, {}, {}}, host(given.model, given.path),
         machine(program, outcome.packed.stream, machine_options(host, given)) {
-    if (order.check) twin = run_twin(outcome.packed.stream);
+    if (order.check) twin = run_twin(outcome.packed.stream, order.facing);
   }
   static MachineOptions machine_options(Host& host, const Order& order) {
     MachineOptions options;
@@ -151,6 +160,8 @@ struct FlightInProgress::Parts {
       frame.shown = frames[i].shown;
       frame.moved = frames[i].moved;
       frame.exchanges = frames[i].exchanges;
+      frame.listed = frames[i].listed;
+      frame.turned = frames[i].turned;
       host.count(i, frames[i].priorities, order.count_points, frame);
       outcome.frames.push_back(frame);
     }
@@ -185,17 +196,19 @@ std::string FlightInProgress::difference() const {
 
 std::span<const std::uint32_t> FlightInProgress::picture() { return parts_->machine.picture(); }
 
-base::Result<Plan> plan_flight(const scene::PolyScene& scene, bool level, std::uint32_t frames, std::optional<std::size_t> pieces) {
+base::Result<Plan> plan_flight(const scene::PolyScene& scene, bool level, std::uint32_t frames, std::optional<std::size_t> pieces, bool facing) {
   const scene::SceneFrame frame = scene::frame_of(scene.camera);
   auto path = path_through(scene, frame, frames, level);
   if (!path) return path.error();
   willis::ModelOptions options;
   options.plan = level;
   options.vertical = frame.vertical;
-  auto model = flight_model(scene, options, path->front().eye, pieces);
+  auto model = flight_model(scene, options, path->front().eye, pieces, facing);
   if (!model) return model.error();
   return Plan{std::move(*model), std::move(*path)};
 }
+
+base::Result<Outcome> run(const Order& order) { return run(order, resident_program(order.facing)); }
 
 base::Result<Outcome> run(const Order& order, const Program& program) {
   FlightInProgress flight(order, program);
@@ -211,26 +224,30 @@ base::Result<Outcome> run(const Order& order, const Program& program) {
   return flight.outcome();
 }
 
-double predicted_t_states(const Packed& packed, std::size_t pieces, const Frame& frame) {
+double predicted_t_states(const Packed& packed, const Frame& frame) {
   const bool space = packed.axes == 3;
   double packet = 0;  // receiving and checking an eye, and the fixed cost of a frame
   double piece = 0;   // its key, its comparison with the piece before it in the order, its priority
   double key = 0;     // of the same piece
+  double pick = 0;    // with the facing test: to find the next piece of a list and its coordinates
   switch (packed.precision) {
     case Precision::bits_8:
       packet = space ? 1440 : 980;
       piece = space ? 418 : 336;
       key = space ? 277 : 196;
+      pick = 33;
       break;
     case Precision::bits_12:
       packet = space ? 2540 : 1570;
       piece = space ? 519 : 375;
       key = space ? 335 : 233;
+      pick = 58;
       break;
     case Precision::bits_16:
       packet = space ? 2590 : 1690;
       piece = space ? 1231 : 881;
       key = space ? 1090 : 750;
+      pick = 64;
       break;
   }
   // SHIFT of order.asm takes 60 for each piece passed if the upper bytes of the keys differ. The rest is INSERT, and keys
@@ -242,8 +259,23 @@ double predicted_t_states(const Packed& packed, std::size_t pieces, const Frame&
   constexpr double visit = 440;
   constexpr double cell_piece = 40;
   const auto planes = static_cast<double>(packed.planes);
-  return packet + piece * static_cast<double>(pieces) + moved * frame.moved + exchange * frame.exchanges +
-         (packed.planes > 0 ? planes * (2 * key + visit) + cell_piece * static_cast<double>(pieces) : 0);
+  const double pieces = frame.listed;
+  if (packed.directions > 0) {
+    // SIDES of facing_test.asm takes 430 for a direction. REMOVE goes over the whole order, MERGE1 as far as the last new piece. A piece that turns takes its
+    // entry's part of SIDES, and then its priority 0, or its place among the new pieces and in the order.
+    key += pick;
+    piece += pick;
+    constexpr double lists = 450;
+    constexpr double direction = 430;
+    constexpr double appeared = 820;
+    constexpr double passed = 64;
+    constexpr double vanished = 440;
+    constexpr double removed_from = 45;
+    packet += lists + key + (key + direction) * static_cast<double>(packed.directions) + appeared * frame.turned.appeared + passed * frame.turned.passed +
+              vanished * frame.turned.vanished + (frame.turned.vanished > 0 ? removed_from * pieces : 0);
+  }
+  return packet + piece * pieces + moved * frame.moved + exchange * frame.exchanges +
+         (packed.planes > 0 ? planes * (2 * key + visit) + cell_piece * pieces : 0);
 }
 
 }  // namespace sightline::programs::flight

@@ -27,14 +27,15 @@ struct Plan {
   std::vector<scene::PolyCamera> path;
 };
 // `level`: a model in plan; otherwise along the scene's vertical. `pieces`: at most that many of the nearest pieces;
-// otherwise all. Errors: those of path_through and flight_model.
+// otherwise all. `facing`: for the facing test. Errors: those of path_through and flight_model.
 [[nodiscard]] base::Result<Plan> plan_flight(const scene::PolyScene& scene, bool level, std::uint32_t frames,
-                                             std::optional<std::size_t> pieces = {});
+                                             std::optional<std::size_t> pieces = {}, bool facing = false);
 
 struct Order {
   const algorithms::willis::Model& model;
   std::span<const scene::PolyCamera> path;
   Precision precision = Precision::bits_8;
+  bool facing = false;  // the build with the facing test; the model is then one of flight_model with `facing`
   bool count_points = false;
   bool shown = false;  // the display computes its picture even if nobody takes it
   bool check = false;  // compare every priority of every frame with that of the native twin
@@ -50,7 +51,10 @@ struct Frame {
   core::Instant shown{};
   std::uint32_t moved = 0;      // as in MachineFrame
   std::uint32_t exchanges = 0;
+  std::uint32_t listed = 0;
+  Turned turned{};
   std::uint32_t facing = 0;     // pieces turned to the eye
+  std::uint32_t hidden = 0;     // of these, without a priority: 0 unless the facing test has an error
   // Pairs of pieces turned to the eye, at different distances or in different cells, that are not in the exact order.
   std::uint32_t wrong_orders = 0;
   std::uint64_t wrong_points = 0;  // points of the picture with another face than with exact distances, if points are counted
@@ -67,6 +71,11 @@ struct Summary {
   std::int64_t t_states_worst = 0;
   double exchanges_mean = 0;
   std::uint32_t exchanges_most = 0;
+  double listed_mean = 0;  // pieces that got a key
+  std::uint32_t listed_most = 0;
+  double turned_mean = 0;  // pieces that have come to face the eye or turned away
+  std::uint32_t turned_most = 0;
+  std::uint64_t hidden = 0;
   std::uint64_t wrong_orders = 0;
   std::uint64_t pairs = 0;  // pairs that could be wrong
   std::uint64_t wrong_points = 0;
@@ -82,14 +91,16 @@ struct Outcome {
 
 // Runs the whole flight at once. Error program_failed: the program did not end, or ended wrongly, or the display lost
 // writes. Error differs: a priority differs from the twin's, which is a defect of this program.
-[[nodiscard]] base::Result<Outcome> run(const Order& order, const Program& program = resident_program());
+[[nodiscard]] base::Result<Outcome> run(const Order& order, const Program& program);
+[[nodiscard]] base::Result<Outcome> run(const Order& order);
 
 // A flight that is run in parts while somebody watches. The data of a frame is complete when the display has been told to
 // show it.
 class FlightInProgress {
  public:
   // Model and path must outlive this.
-  explicit FlightInProgress(const Order& order, const Program& program = resident_program());
+  FlightInProgress(const Order& order, const Program& program);
+  explicit FlightInProgress(const Order& order) : FlightInProgress(order, resident_program(order.facing)) {}
   ~FlightInProgress();
   FlightInProgress(const FlightInProgress&) = delete;
   FlightInProgress& operator=(const FlightInProgress&) = delete;
@@ -123,6 +134,6 @@ struct ShownOrder {
                                      std::span<const std::uint32_t> exact, const Priorities& priorities);
 
 // The T-states of a frame without waiting, by the cost model of the program's NOTES.md.
-[[nodiscard]] double predicted_t_states(const Packed& packed, std::size_t pieces, const Frame& frame);
+[[nodiscard]] double predicted_t_states(const Packed& packed, const Frame& frame);
 
 }  // namespace sightline::programs::flight

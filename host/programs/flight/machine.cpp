@@ -1,6 +1,7 @@
 #include "host/programs/flight/machine.hpp"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -25,7 +26,7 @@ namespace display = devices::priority_display;
 class FlightMachine::DisplayFront final : public i8080::Front {
  public:
   DisplayFront(i8080::Machine& machine, const Program& program, const MachineOptions& options, MachineFlight& flight)
-      : Front(machine, control), board_(*machine.find<devices::PriorityBoard>()), count_(program.count), list_end_(program.list_end), options_(options), flight_(flight) {}
+      : Front(machine, control), board_(*machine.find<devices::PriorityBoard>()), first_(program.first), list_end_(program.list_end), ranks_(program.facing), options_(options), flight_(flight) {}
 
   [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override {
     pass_to_host(options_.clock.to_nanoseconds(at));
@@ -50,24 +51,38 @@ class FlightMachine::DisplayFront final : public i8080::Front {
   // The pieces' numbers by distance, and their changes from frame to frame.
   class Ranks {
    public:
-    // `order`: nearest first. The first order is compared with that of the numbers.
+    // The first order is compared with that of the numbers; with the facing test nothing is before it.
+    explicit Ranks(bool facing) {
+      place_.fill(absent);
+      if (!facing) std::iota(place_.begin(), place_.end(), 0U);
+    }
+    // `order`: nearest first.
     void take(std::span<const std::uint8_t> order, MachineFrame& frame) {
-      if (place_.empty()) {
-        place_.resize(256);
-        std::iota(place_.begin(), place_.end(), 0U);
-      }
+      frame.listed = static_cast<std::uint32_t>(order.size());
+      std::uint32_t stay = 0;
       for (std::size_t i = 0; i < order.size(); ++i) {
         const unsigned here = place_[order[i]];
+        if (here == absent) {
+          ++frame.turned.appeared;
+          frame.turned.passed = stay;
+          continue;
+        }
+        ++stay;
         const auto passed = std::count_if(order.begin() + static_cast<std::ptrdiff_t>(i) + 1, order.end(),
                                           [&](std::uint8_t other) { return place_[other] < here; });
         frame.exchanges += static_cast<std::uint32_t>(passed);
         frame.moved += passed > 0 ? 1 : 0;
       }
+      frame.turned.vanished = listed_before_ - std::min(listed_before_, stay);
+      listed_before_ = frame.listed;
+      place_.fill(absent);
       for (std::size_t i = 0; i < order.size(); ++i) place_[order[i]] = static_cast<unsigned>(i);
     }
 
    private:
-    std::vector<unsigned> place_;  // by number, in the order of the frame before
+    static constexpr unsigned absent = 256;
+    std::array<unsigned, 256> place_{};  // by number, in the order of the frame before
+    std::uint32_t listed_before_ = 0;
   };
 
   static constexpr std::uint8_t control_port = devices::PriorityBoard::info.writes[0].first + devices::PriorityBoard::Register::control;
@@ -78,7 +93,7 @@ class FlightMachine::DisplayFront final : public i8080::Front {
     const auto priorities = board_.priorities();
     std::copy(priorities.begin(), priorities.end(), frame.priorities.begin());
     frame.commanded_at = at;
-    const std::size_t count = machine().peek(count_);
+    const std::size_t count = static_cast<std::uint8_t>(-machine().peek(first_));
     ranks_.take(machine().memory().subspan(list_end_ - count, count), frame);
     frame.waiting = last_asked_ - first_poll_;
     // A frame begins with its first line, where the display takes over a new list.
@@ -102,7 +117,7 @@ class FlightMachine::DisplayFront final : public i8080::Front {
   }
 
   devices::PriorityBoard& board_;
-  i8080::Address count_;
+  i8080::Address first_;
   i8080::Address list_end_;
   Ranks ranks_;
   const MachineOptions& options_;

@@ -25,6 +25,9 @@ struct MachineFrame {
   // The distance of the program's order from that of the frame before: pieces moved before another, and pairs exchanged.
   std::uint32_t moved = 0;
   std::uint32_t exchanges = 0;
+  std::uint32_t listed = 0;  // pieces of the order
+  // With the facing test, against the frame before; 0 for the first frame.
+  Turned turned{};
 };
 
 struct MachineFlight {

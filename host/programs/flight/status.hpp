@@ -23,8 +23,8 @@ enum class Status : std::uint8_t {
   switch (status) {
     case Status::running: return "running";
     case Status::complete: return "complete";
-    case Status::not_a_flight: return "the stream does not begin with FL";
-    case Status::out_of_range: return "a precision, a number of axes, pieces or planes, a coordinate, a place or a cell out of range";
+    case Status::not_a_flight: return "the stream does not begin with FL, or with the facing test FF";
+    case Status::out_of_range: return "a precision, a number of axes, pieces, planes or directions, a coordinate, a place, a cell or an entry out of range";
     case Status::wrong_sum_of_pieces: return "the check of the pieces is wrong";
     case Status::wrong_sum_of_packet: return "the check of a packet is wrong";
     case Status::unknown_packet: return "a packet of no known kind";
@@ -37,7 +37,16 @@ enum class Status : std::uint8_t {
 // The bits of a coordinate: the byte `precision` of the stream.
 enum class Precision : std::uint8_t { bits_8 = 1, bits_12 = 2, bits_16 = 3 };
 
-// Priorities by number; 0 where no such piece exists.
+// Priorities by number; 0 where no such piece exists, and with the facing test for a piece that faces away.
 using Priorities = std::array<std::uint8_t, 256>;
+
+// Changes of the facing test from one frame to the next.
+struct Turned {
+  std::uint32_t appeared = 0;  // pieces that have come to face the eye
+  std::uint32_t vanished = 0;
+  std::uint32_t passed = 0;    // pieces of both frames that are before the last one that has appeared
+
+  friend bool operator==(const Turned&, const Turned&) = default;
+};
 
 }  // namespace sightline::programs::flight

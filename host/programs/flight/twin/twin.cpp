@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 
 namespace sightline::programs::flight {
@@ -50,7 +49,7 @@ class Reader {
 
 class Run {
  public:
-  explicit Run(std::span<const std::uint8_t> stream) : reader_(stream) {}
+  Run(std::span<const std::uint8_t> stream, bool facing) : reader_(stream), facing_(facing) {}
 
   TwinFlight run() {
     flight_.status = model();
@@ -60,7 +59,7 @@ class Run {
 
  private:
   Status model() {
-    for (const char letter : {'F', 'L'}) {
+    for (const char letter : {'F', facing_ ? 'F' : 'L'}) {
       const auto byte = reader_.byte();
       if (!byte) return Status::host_silent;
       if (*byte != static_cast<std::uint8_t>(letter)) return Status::not_a_flight;
@@ -78,14 +77,64 @@ class Run {
     axes_ = header[1];
     count_ = header[2];
     planes_.resize(header[3]);
-    if (count_ + 2 * planes_.size() > 255) return Status::out_of_range;
-    for (std::size_t number = count_ + 2 * planes_.size(); number > 0; --number)
+    points_count_ = count_ + 2 * planes_.size();
+    if (points_count_ > 255) return Status::out_of_range;
+    if (facing_)
+      if (const Status status = count_directions(); status != Status::running) return status;
+    for (std::size_t number = points_count_; number > 0; --number)
       if (const Status status = point(points_[number]); status != Status::running) return status;
     if (!planes_.empty())
       if (const Status status = cells(); status != Status::running) return status;
-    order_.resize(count_);
-    std::iota(order_.begin(), order_.end(), std::size_t{1});
+    if (facing_)
+      if (const Status status = entries(); status != Status::running) return status;
+    for (std::size_t number = 1; number <= count_; ++number)
+      if (!facing_ || faces_[number]) order_.push_back(number);
+    if (!facing_) last_order_ = order_;
     return checked(Status::wrong_sum_of_pieces, Status::running);
+  }
+
+  // The number of directions; their points follow those of the planes.
+  Status count_directions() {
+    if (points_count_ == 255) return Status::out_of_range;
+    const auto byte = reader_.byte();
+    if (!byte) return Status::host_silent;
+    origin_ = points_count_ + 1;
+    points_count_ += 1U + *byte;
+    if (*byte == 0 || points_count_ > 255) return Status::out_of_range;
+    directions_.resize(*byte);
+    return Status::running;
+  }
+
+  // Reads the entries of each direction. Initially the eye has passed none.
+  Status entries() {
+    std::array<bool, 256> has_entry{};
+    const int limit_bytes = static_cast<int>(precision_) + 1;
+    for (std::vector<Entry>& direction : directions_) {
+      const auto entry_count = reader_.byte();
+      if (!entry_count) return Status::host_silent;
+      for (int i = 0; i < *entry_count; ++i) {
+        Entry entry;
+        for (int k = 0; k < limit_bytes; ++k) {
+          const auto byte = reader_.byte();
+          if (!byte) return Status::host_silent;
+          entry.limit = entry.limit << 8U | *byte;
+        }
+        if (!direction.empty() && entry.limit < direction.back().limit) return Status::out_of_range;
+        const auto number = reader_.byte();
+        if (!number) return Status::host_silent;
+        if (*number == 0 || *number > count_ || has_entry[*number]) return Status::out_of_range;
+        has_entry[*number] = true;
+        entry.number = *number;
+        const auto side = reader_.byte();
+        if (!side) return Status::host_silent;
+        if (*side > 1) return Status::out_of_range;
+        faces_[*number] = *side == 0;
+        direction.push_back(entry);
+      }
+    }
+    for (std::size_t number = 1; number <= count_; ++number)
+      if (!has_entry[number]) return Status::out_of_range;
+    return Status::running;
   }
 
   // Reads the places of each plane, and the cell of each piece.
@@ -149,7 +198,7 @@ class Run {
                                          : precision_ == Precision::bits_12 ? 0xFF'FFFFU
                                                                             : 0xFFFF'FFFFU;
     std::array<std::uint32_t, 256> keys{};
-    for (std::size_t number = 1; number <= count_ + 2 * planes_.size(); ++number) {
+    for (std::size_t number = 1; number <= points_count_; ++number) {
       for (std::size_t axis = 0; axis < axes_; ++axis) {
         const std::uint32_t difference = points_[number][axis] - eye[axis];  // its square is right modulo 2^32
         keys[number] += difference * difference;
@@ -157,16 +206,11 @@ class Run {
       keys[number] &= modulus_less_1;
     }
     TwinFrame result;
-    for (std::size_t i = 0; i < count_; ++i) {
-      const auto before = order_.begin();
-      const auto farther = std::count_if(before, before + static_cast<std::ptrdiff_t>(i),
-                                         [&](std::size_t other) { return keys[other] > keys[order_[i]]; });
-      result.exchanges += static_cast<std::uint32_t>(farther);
-      result.moved += farther > 0 ? 1 : 0;
-    }
+    if (facing_) turn(keys, modulus_less_1);
     std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
+    count_changes(result);
     if (planes_.empty()) {
-      for (std::size_t place = 0; place < count_; ++place)
+      for (std::size_t place = 0; place < order_.size(); ++place)
         result.priorities[order_[place]] = static_cast<std::uint8_t>(count_ - place);
     } else {
       auto left = static_cast<std::uint8_t>(count_);
@@ -174,6 +218,51 @@ class Run {
       for (const std::size_t number : order_) result.priorities[number] = next_[cell_of_[number]]--;
     }
     flight_.frames.push_back(result);
+  }
+
+  // Turns the pieces whose limits the eye has passed, or passed back, since the last frame. The last one found is the first of the order.
+  void turn(const std::array<std::uint32_t, 256>& keys, std::uint32_t modulus_less_1) {
+    for (std::size_t i = 0; i < directions_.size(); ++i) {
+      const std::uint32_t half = modulus_less_1 / 2 + 1;
+      const std::uint32_t value = (keys[origin_] - keys[origin_ + 1 + i] + half) & modulus_less_1;
+      std::vector<Entry>& direction = directions_[i];
+      const auto turn_one = [&](Entry& entry) {
+        if (entry.passed == (value > entry.limit)) return;
+        entry.passed = !entry.passed;
+        faces_[entry.number] = !faces_[entry.number];
+        if (faces_[entry.number])
+          order_.insert(order_.begin(), entry.number);
+        else
+          std::erase(order_, entry.number);
+      };
+      // Limits that are passed are found from the lowest up, those that are passed back from the highest down.
+      std::for_each(direction.begin(), direction.end(), [&](Entry& entry) {
+        if (!entry.passed) turn_one(entry);
+      });
+      std::for_each(direction.rbegin(), direction.rend(), turn_one);
+    }
+  }
+
+  void count_changes(TwinFrame& result) {
+    constexpr std::size_t absent = 256;
+    std::array<std::size_t, 256> before{};
+    before.fill(absent);
+    for (std::size_t place = 0; place < last_order_.size(); ++place) before[last_order_[place]] = place;
+    std::uint32_t stay = 0;
+    for (auto number = order_.begin(); number != order_.end(); ++number) {
+      if (before[*number] == absent) {
+        ++result.turned.appeared;
+        result.turned.passed = stay;
+        continue;
+      }
+      ++stay;
+      const auto passed = std::count_if(number, order_.end(), [&](std::size_t other) { return before[other] < before[*number]; });
+      result.exchanges += static_cast<std::uint32_t>(passed);
+      result.moved += passed > 0 ? 1 : 0;
+    }
+    result.turned.vanished = static_cast<std::uint32_t>(last_order_.size()) - stay;
+    result.listed = static_cast<std::uint32_t>(order_.size());
+    last_order_ = order_;
   }
 
   // Distributes the remaining priorities over a place and everything below it.
@@ -190,12 +279,24 @@ class Run {
     for (const std::uint8_t below : places) give(below, keys, left);
   }
 
+  struct Entry {
+    std::uint32_t limit = 0;
+    std::size_t number = 0;
+    bool passed = false;
+  };
+
   Reader reader_;
+  bool facing_ = false;
   Precision precision_ = Precision::bits_8;
   std::size_t axes_ = 2;
   std::size_t count_ = 0;
   std::array<Coordinates, 256> points_{};
+  std::size_t points_count_ = 0;
+  std::size_t origin_ = 0;
+  std::vector<std::vector<Entry>> directions_;
+  std::array<bool, 256> faces_{};
   std::vector<std::size_t> order_;
+  std::vector<std::size_t> last_order_;  // of the last frame; before the first, without the facing test, that of the numbers
   std::vector<std::array<std::uint8_t, 3>> planes_;
   std::array<std::uint8_t, 256> cell_of_{};  // indexed by piece
   std::array<std::uint8_t, 128> sizes_{};    // indexed by cell
@@ -205,6 +306,6 @@ class Run {
 
 }  // namespace
 
-TwinFlight run_twin(std::span<const std::uint8_t> stream) { return Run(stream).run(); }
+TwinFlight run_twin(std::span<const std::uint8_t> stream, bool facing) { return Run(stream, facing).run(); }
 
 }  // namespace sightline::programs::flight

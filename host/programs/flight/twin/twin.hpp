@@ -15,6 +15,8 @@ struct TwinFrame {
   // The distance of the order from that of the frame before: pieces moved before another, and pairs exchanged.
   std::uint32_t moved = 0;
   std::uint32_t exchanges = 0;
+  std::uint32_t listed = 0;  // pieces of the order
+  Turned turned{};           // with the facing test; in the first frame all pieces have appeared
 };
 
 struct TwinFlight {
@@ -22,6 +24,7 @@ struct TwinFlight {
   std::vector<TwinFrame> frames;
 };
 
-[[nodiscard]] TwinFlight run_twin(std::span<const std::uint8_t> stream);
+// `facing`: the build with the facing test.
+[[nodiscard]] TwinFlight run_twin(std::span<const std::uint8_t> stream, bool facing = false);
 
 }  // namespace sightline::programs::flight

@@ -495,7 +495,7 @@ for kind in ["surface", "contours", "lines"]:
     wait(lambda: js("return sightline.tab.ended") and not wrong(), f"{kind}: {said()}")
 drop(".screen", "rubbish.csv", b"1,2\nx,,,\n")
 wait(lambda: wrong() and "rubbish.csv" in said(), "a grid of rubbish is refused in words: " + said())
-for place in ["town-20", "prisms-25?bits=16&plan=1&pieces=200"]:
+for place in ["town-20?facing=1", "town-20", "prisms-25?bits=16&plan=1&pieces=200"]:
     go("skala/flight " + place)
     wait(lambda: js("return sightline.tab.flight.state?.frames > 10"), "it flies: " + said())
     faces = js("return new Set(sightline.module.flightPicture()).size")
@@ -1382,7 +1382,7 @@ for place in places:
         check(link() == place and js("return sightline.tab.id ?? 0") == before, f"#{bad} in an open page leaves the room as it was: {link()}")
 # What is linked comes back: each part of a link that the page has made is known to it.
 for place in [*places, "jones/turn star.off?switches=400&eae=0&exact=1", "jones/house?eae=0&stereo=1&immediate=1&scale=300", "skala/?picture=lines&device=ef9365&rotation=30&elevation=30&f=x+%2B+z%2F6", "skala/stripes boxes-8?device=calcomp&rotation=5&elevation=6",
-              "skala/flight town-9?bits=12&plan=1&pieces=100"]:
+              "skala/flight town-9?bits=12&plan=1&pieces=100", "skala/flight town-9?bits=16&plan=0&facing=1&pieces=255"]:
     go(place)
     check(not wrong() and js("return location.hash.slice(1)").replace("%20", " ") == place, f"#{place} comes back: {link()} {notice()}")
 check(js("return sightline.tab.options.program") == "flight", "a flight by its link")

@@ -227,12 +227,12 @@ function pointsOf(png) {
   }
   return points;
 }
-for (const [n, scene] of ['town-9', 'prisms-9', 'town-20'].entries()) {
-  const bits = [8, 16, 12][n], plan = n === 1, frames = 12;
-  const what = `a flight through ${scene}, ${bits} bits`;
-  const made = ask({do: 'flight', scene, bits, plan, frames});
+for (const [n, scene] of ['town-9', 'prisms-9', 'town-20', 'prisms-25'].entries()) {
+  const bits = [8, 16, 12, 8][n], plan = n === 1 || n === 3, facing = n > 1, frames = 12;
+  const what = `a flight through ${scene}, ${bits} bits${facing ? ', with the facing test' : ''}`;
+  const made = ask({do: 'flight', scene, bits, plan, facing, frames});
   const out = `flight-${n}`;
-  const report = JSON.parse(native('flight', scene, '--bits', String(bits), ...(plan ? ['--plan'] : []), '--frames', String(frames), '-o', out, '--json'));
+  const report = JSON.parse(native('flight', scene, '--bits', String(bits), ...(plan ? ['--plan'] : []), ...(facing ? ['--facing'] : []), '--frames', String(frames), '-o', out, '--json'));
   const rows = readFileSync(join(folder, out, `${scene}-flight.csv`), 'utf8').trim().split('\n').slice(1);
   const shown = pointsOf(readFileSync(join(folder, out, `${scene}-flight.png`)));
   const still = frames / 3;
@@ -242,7 +242,8 @@ for (const [n, scene] of ['town-9', 'prisms-9', 'town-20'].entries()) {
     const looks = differing < 0 && last && at + 20000 >= last;  // the display has scanned it, and starts no other
     more = module.fly(at = looks ? last : at + 20000);
     const {frame, frames: count} = ask({do: 'flight_state'});
-    if (count > told.length) told.push([count - 1, frame.shown_ms, frame.t_states, frame.waiting, frame.moved, frame.exchanges, frame.facing, frame.wrong_orders, frame.wrong_points].join(','));
+    if (count > told.length) told.push([count - 1, frame.shown_ms, frame.t_states, frame.waiting, frame.moved, frame.exchanges, frame.facing, frame.wrong_orders, frame.wrong_points,
+      ...(facing ? [frame.with_key, frame.appeared, frame.vanished] : [])].join(','));
     if (looks) differing = module.flightPicture().reduce((sum, face, i) => sum + (made.shades[face] === shown[i] ? 0 : 1), 0);
   }
   const state = ask({do: 'flight_state'});

@@ -137,7 +137,7 @@ for (const scene of ['boxes-5', 'boxes-8', 'house', 'roberts', 'town-2', 'star.o
 
 // One frame is a view.
 for (const scene of ['prisms-9', 'prisms-25', 'town-4', 'town-9', 'town-20', 'town-60'])
-  await compare('flight', scene, [8, 12, 16].flatMap(bits => [false, true].map(plan => ({do: 'flight', scene, bits, plan, pieces: 255, frames: Math.max(2, views)}))));
+  await compare('flight', scene, [8, 12, 16].flatMap(bits => [false, true].map(plan => ({do: 'flight', scene, bits, plan, facing: bits === 12, pieces: 255, frames: Math.max(2, views)}))));
 
 native.stdin.end();
 console.log(`${total.views} views, ${total.flashes} strokes, ${total.frames} frames, ${total.seconds.toFixed(0)} emulated seconds, ${failures} differences`);

@@ -149,7 +149,7 @@ TEST(Flight, CostsAsMuchAsTheModelStates) {
       const Packed& packed = run.packed;
       for (std::size_t i = 1; i < run.frames.size(); ++i) {
         const auto measured = static_cast<double>(run.frames[i].computing.count());
-        const double predicted = predicted_t_states(packed, flight.model.pieces.size(), run.frames[i]);
+        const double predicted = predicted_t_states(packed, run.frames[i]);
         EXPECT_NEAR(predicted / measured, 1, 0.1) << flight.name << ", precision " << static_cast<int>(precision) << ", frame " << i << ": " << measured;
       }
     }
@@ -200,7 +200,7 @@ TEST(Flight, SeparatesTouchingSolids) {
       }
       for (std::size_t i = 1; i < run.frames.size(); ++i) {
         const auto measured = static_cast<double>(run.frames[i].computing.count());
-        const double predicted = predicted_t_states(packed, flight.model.pieces.size(), run.frames[i]);
+        const double predicted = predicted_t_states(packed, run.frames[i]);
         EXPECT_NEAR(predicted / measured, 1, 0.1) << flight.name << ", precision " << static_cast<int>(precision) << ", frame " << i << ": " << measured;
       }
       RecordProperty(flight.name + "_" + std::to_string(static_cast<int>(precision)),
