@@ -53,7 +53,7 @@ TurnStage::TurnStage(const pl::RotationModel& model, const scene::PolyCamera& ca
 
 Sheet TurnStage::image_sheet() const {
   const double margin = 0.04 * std::max(2 * reach_, high_ - low_);
-  return {"The image, in parallel projection", {-reach_ - margin, low_ - margin}, {reach_ + margin, high_ + margin}};
+  return {"The image", {-reach_ - margin, low_ - margin}, {reach_ + margin, high_ + margin}};
 }
 
 Point TurnStage::in_image(double u, double v, double angle) const {
