@@ -22,6 +22,9 @@ using picture::PixelPoint;
 
 constexpr double half = 0.5;                        // the error of a rounded unit
 constexpr double corner = 1 / std::numbers::sqrt2;  // the error of a point with both coordinates rounded
+// The error of a projected coordinate in a turned view: half a unit as before; the quotient's 17 bits, at most 2^15 / 2^16; and
+// the length of the direction, whose cosine and sine are rounded to 2^-16, at most 2^14 * sqrt(2) / 2^16.
+constexpr double turned = 1.36;
 constexpr double on_line = 1e-6;                    // units: shorter distances count as 0
 constexpr double no_area = 1e-6;
 
@@ -104,9 +107,10 @@ std::vector<ClipLine> clip_lines(const Polygon& mask) {
 
 class Bound {
  public:
-  Bound(const scene::CellScene& scene, const geometry::Point& eye, const JonesWords& words)
+  Bound(const scene::CellScene& scene, const geometry::Point& eye, const JonesWords& words, const std::optional<jones::Direction>& direction)
       : scene_(scene),
         eye_(eye),
+        direction_(direction),
         window_(jones::window_of(jones::Pass::mono, 512, words.fraction_bits, words.word_bits)),
         share_(std::ldexp(1.0, 2 - words.word_bits)) {
     const auto at = [](std::int32_t x, std::int32_t y) { return PixelPoint{static_cast<double>(x), static_cast<double>(y)}; };
@@ -150,7 +154,7 @@ class Bound {
       }
       const std::size_t axis = opening.place.axis;
       const std::int32_t ahead = opening.place.at - eye_[axis];
-      if (axis == 2 ? !upwards || ahead < 1 : upwards ? ahead <= 0 : ahead >= 0) continue;
+      if (axis == 2 && !direction_ ? !upwards || ahead < 1 : upwards ? ahead <= 0 : ahead >= 0) continue;
       Polygon through = outline(opening, ahead);
       for (const ClipLine& line : clip) cut(through, line);
       if (through.size() >= 3 && area(through) > no_area && depth < scene_.cells.size())
@@ -160,6 +164,7 @@ class Bound {
 
   // The ring on the screen, clipped to the box.
   [[nodiscard]] Polygon outline(const scene::Opening& opening, std::int32_t ahead) const {
+    if (direction_) return turned_outline(opening);
     const jones::RingBound bound(jones::Axis{static_cast<std::uint8_t>(opening.place.axis + 1)}, ahead, window_.bound_factor);
     std::vector<PixelPoint> places;
     const auto add = [&](const jones::SpacePoint& p) { places.push_back(project(p)); };
@@ -172,13 +177,88 @@ class Bound {
       if (bend) add(*bend);
       at = to;
     }
+    return polygon_of(places);
+  }
+
+  [[nodiscard]] Polygon polygon_of(const std::vector<PixelPoint>& places) const {
     Polygon polygon;
     for (std::size_t i = 0; i < places.size(); ++i)
       if (length_of(places[i], places[(i + 1) % places.size()]) > on_line) polygon.push_back({places[i], {}});
     if (area(polygon) < 0) std::reverse(polygon.begin(), polygon.end());
     for (std::size_t i = 0; i < polygon.size(); ++i)
-      polygon[i].next = project_side(polygon[i].place, polygon[(i + 1) % polygon.size()].place);
+      polygon[i].next = projected(polygon[i].place, polygon[(i + 1) % polygon.size()].place);
     return polygon;
+  }
+
+  // A projected line with the error of its ends.
+  [[nodiscard]] Side projected(const PixelPoint& a, const PixelPoint& b) const {
+    Side side = project_side(a, b);
+    if (direction_)
+      for (double& away : side.away) away *= turned / half;
+    return side;
+  }
+
+  // From the eye, as the turned view looks.
+  struct TurnedPoint {
+    double x = 0, y = 0, z = 0;
+  };
+  [[nodiscard]] TurnedPoint turn(const jones::SpacePoint& p) const {
+    const double c = std::ldexp(direction_->cosine, -16), s = std::ldexp(direction_->sine, -16);
+    return {p.x * c - p.z * s, static_cast<double>(p.y), p.x * s + p.z * c};
+  }
+  // Not negative before the four sides of the bound.
+  [[nodiscard]] std::array<double, 4> depths(const TurnedPoint& p) const {
+    const double far = window_.bound_factor * p.z;
+    return {far - p.x, far + p.x, far - p.y, far + p.y};
+  }
+  static TurnedPoint between(const TurnedPoint& p, const TurnedPoint& q, double share) {
+    return {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y), p.z + share * (q.z - p.z)};
+  }
+  [[nodiscard]] PixelPoint project(const TurnedPoint& p) const { return {p.x * window_.width_scale / p.z, p.y * window_.width_scale / p.z}; }
+
+  [[nodiscard]] Polygon turned_outline(const scene::Opening& opening) const {
+    std::vector<TurnedPoint> ring;
+    geometry::Point at = opening.ring.front();
+    for (const scene::RingVector& vector : opening.vectors) {
+      ring.push_back(turn(to_camera(at)));
+      at[vector.axis] += vector.magnitude;
+    }
+    for (std::size_t side = 0; side < 4; ++side) {
+      std::vector<TurnedPoint> left;
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const TurnedPoint& p = ring[i];
+        const TurnedPoint& q = ring[(i + 1) % ring.size()];
+        const double dp = depths(p)[side], dq = depths(q)[side];
+        if (dp >= 0) left.push_back(p);
+        if ((dp >= 0) != (dq >= 0)) left.push_back(between(p, q, dp / (dp - dq)));
+      }
+      ring = std::move(left);
+    }
+    std::vector<PixelPoint> places;
+    for (const TurnedPoint& p : ring)
+      if (p.z > 0) places.push_back(project(p));
+    return polygon_of(places);
+  }
+
+  // The ends on the screen of what the bound leaves of a line.
+  [[nodiscard]] std::optional<std::array<PixelPoint, 2>> turned_ends(const jones::SpacePoint& from, const jones::SpacePoint& to) const {
+    const TurnedPoint p = turn(from), q = turn(to);
+    double low = 0, high = 1;
+    const auto dp = depths(p), dq = depths(q);
+    for (std::size_t side = 0; side < 4; ++side) {
+      if (dp[side] < 0 && dq[side] < 0) return std::nullopt;
+      if (dp[side] < 0) low = std::max(low, dp[side] / (dp[side] - dq[side]));
+      if (dq[side] < 0) high = std::min(high, dp[side] / (dp[side] - dq[side]));
+    }
+    const TurnedPoint a = between(p, q, low), b = between(p, q, high);
+    if (low >= high || a.z <= 0 || b.z <= 0) return std::nullopt;
+    return std::array{project(a), project(b)};
+  }
+  [[nodiscard]] std::optional<std::array<PixelPoint, 2>> level_ends(const jones::SpacePoint& from, const jones::SpacePoint& to) const {
+    const jones::Axis axis = from.x != to.x ? jones::Axis::x : from.y != to.y ? jones::Axis::y : jones::Axis::z;
+    const auto inside = jones::seg3({from, to}, axis, window_.bound_factor);
+    if (!inside) return std::nullopt;
+    return std::array{project(inside->p), project(inside->q)};
   }
 
   static double area(const Polygon& polygon) {
@@ -245,21 +325,27 @@ class Bound {
     polygon = std::move(left);
   }
 
+  // Where a mask ends at the window its side has no line. A sloped side that meets the window there is no window's side.
+  [[nodiscard]] bool is_on_window(const PixelPoint& p) const {
+    const auto at = [](double a, std::int32_t side) { return std::abs(a - side) <= on_line; };
+    return at(p.x, window_.xlo) || at(p.x, window_.xhi) || at(p.y, window_.ylo) || at(p.y, window_.yhi);
+  }
+
   void draw(const jones::SpacePoint& from, const jones::SpacePoint& to, const std::vector<ClipLine>& clip) {
-    const jones::Axis axis = from.x != to.x ? jones::Axis::x : from.y != to.y ? jones::Axis::y : jones::Axis::z;
-    const auto inside = jones::seg3({from, to}, axis, window_.bound_factor);
-    if (!inside) return;
-    std::array<PixelPoint, 2> ends{project(inside->p), project(inside->q)};
+    const auto left = direction_ ? turned_ends(from, to) : level_ends(from, to);
+    if (!left) return;
+    std::array<PixelPoint, 2> ends = *left;
     if (length_of(ends[0], ends[1]) <= on_line) return;
-    Side side = project_side(ends[0], ends[1]);
-    std::array<double, 2> end_away{corner, corner};
+    Side side = projected(ends[0], ends[1]);
+    std::array<double, 2> end_away;
+    end_away.fill(direction_ ? turned * std::numbers::sqrt2 : corner);
     for (const ClipLine& line : clip) {
       const std::array<bool, 2> holds{line.holds(ends[0]), line.holds(ends[1])};
       if (!holds[0] && !holds[1]) return;
       if (holds[0] == holds[1]) continue;
       const std::size_t end = holds[0] ? 1 : 0;
       const Cut at = cut_at(line, side, ends[0], ends[1]);
-      const double drawn_there = line.side.of_window ? std::numeric_limits<double>::infinity() : at.of_clip + at.of_line + corner;
+      const double drawn_there = line.side.of_window || (direction_ && is_on_window(at.place)) ? std::numeric_limits<double>::infinity() : at.of_clip + at.of_line + corner;
       ends[end] = at.place;
       side.away[end] = at.of_line;
       end_away[end] = std::min(std::hypot(at.of_line, at.along), drawn_there);
@@ -269,6 +355,7 @@ class Bound {
 
   const scene::CellScene& scene_;
   geometry::Point eye_;
+  std::optional<jones::Direction> direction_;
   jones::Window window_;
   double share_;
   double greatest_ = 0;
@@ -276,8 +363,8 @@ class Bound {
 
 }  // namespace
 
-double jones_piece_bound(const scene::CellScene& scene, const geometry::Point& eye, const JonesWords& words) {
-  return std::ldexp(Bound(scene, eye, words).units(), -words.fraction_bits);
+double jones_piece_bound(const scene::CellScene& scene, const geometry::Point& eye, const JonesWords& words, const std::optional<programs::jones::Direction>& direction) {
+  return std::ldexp(Bound(scene, eye, words, direction).units(), -words.fraction_bits);
 }
 
 double jones_line_bound(double piece_bound, const JonesWords& words) {

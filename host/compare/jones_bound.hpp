@@ -18,7 +18,10 @@
 // with this bound have none.
 #pragma once
 
+#include <optional>
+
 #include "host/programs/jones/specification.hpp"
+#include "host/programs/jones/twin/rotation.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::compare {
@@ -32,7 +35,9 @@ struct JonesWords {
 
 // For pieces before they are rounded to points, in points of the display, at a scale of 512. The scene is a checked
 // one, and the eye in one of its cells (preconditions).
-[[nodiscard]] double jones_piece_bound(const scene::CellScene& scene, const geometry::Point& eye, const JonesWords& words);
+// direction: of a view turned about the vertical, which is taken as exact; the words must be the machine's.
+[[nodiscard]] double jones_piece_bound(const scene::CellScene& scene, const geometry::Point& eye, const JonesWords& words,
+                                       const std::optional<programs::jones::Direction>& direction = {});
 
 // For pieces between points of the display.
 [[nodiscard]] double jones_line_bound(double piece_bound, const JonesWords& words);

@@ -1,6 +1,6 @@
 / Jones's hidden-line program for the PDP-7 and Type 340.   Tape 1: control
 /
-/ Eight tapes, read one after the other, then a scene tape; assembled with
+/ Nine tapes, read one after the other, then a scene tape; assembled with
 / EAE=1 or EAE=0.  What each part computes is in SPECIFICATION.md; which term
 / of the paper is which label here, in NOTES.md.  Two's complement throughout;
 / octal; negate is cma, tad (1.
@@ -8,7 +8,8 @@
 / FRACTION is how many fraction bits a coordinate on the screen has, 0 to 3;
 / TRUNCATE=1 cuts quotients and points off where TRUNCATE=0 rounds them.
 / WALK=1 lets the eye walk from cell to cell (tape 8); its scene tape has the
-/ planes of the cells.
+/ planes of the cells.  ROTATE=1, with WALK=1, turns the view about the vertical
+/ (tape 9); the scene tape is that of the walk.
 /
 / Core:  00000-00021 interrupt, clock, auto-index   00022- program, scene,
 / constants   10075 records (with WALK they are in the scene)   11446 mask stack
@@ -27,6 +28,7 @@
 FRACTION=3
 TRUNCATE=0
 WALK=0
+ROTATE=0
         IFNZRO FRACTION&777774 <
 unit=1
 uhalf=0
@@ -59,6 +61,13 @@ uhalf=0
 u200=u100+u100
 u400=u200+u200
 u1000=u400+u400
+u2000=u1000+u1000
+
+        IFNZRO ROTATE <
+        IFZERO WALK <
+        ROTATE-needs-WALK
+        >
+        >
 
         IFZERO WALK <
 recs=10075              / records of openings: 5 words each
@@ -190,22 +199,32 @@ intrx,  lac 0
         ion
         jmp i 0
 
-/ Clock: each of switches 0-7 that is up adds its step to a sum.
+/ Clock: each of switches 0-7, with ROTATE 0-9, that is up adds its step to a sum.
 / In: the switches.
-/ Out: sumx sumy sumz sums; the clock set again.
+/ Out: sumx sumy sumz sums, with ROTATE sumt; the clock set again.
 / Destroys: 17.
 tick,   0
         clc
         dac 7
         clon
         las
+        IFZERO ROTATE <
         and (776000
+        >
+        IFNZRO ROTATE <
+        and (777400
+        >
         sna
         jmp i tick
         dac tksw
         lac (tktab-1
         dac 17
+        IFZERO ROTATE <
         lac (777770     / eight switches
+        >
+        IFNZRO ROTATE <
+        lac (777766     / ten
+        >
         dac tkn
 tkeach, lac i 17
         dac tkcell
@@ -239,6 +258,12 @@ tktab,  sumx            / left, right
         10
         sums
         777770
+        IFNZRO ROTATE <
+        sumt            / turn to the left, to the right
+        777777
+        sumt
+        1
+        >
 
 / Viewing parameters: first values from the scene tape.
 / In: scene tape, scale0.
@@ -256,6 +281,14 @@ initpr, 0
         dac ez
         lac scale0
         dac scale
+        IFNZRO ROTATE <
+        lac angle0
+        dac angle
+        lac (100000     / half a unit
+        dac remx
+        dac remz
+        dzm sumt
+        >
         dzm sumx
         dzm sumy
         dzm sumz
@@ -288,6 +321,11 @@ newpar, 0
         dac step+1
         lac sumz
         dac step+2
+        IFNZRO ROTATE <
+        lac sumt
+        dac step+3
+        dzm sumt
+        >
         >
         lac scale
         tad sums
@@ -374,6 +412,10 @@ monwin, 0
         dac pjw
         lac ex
         dac pex
+        IFNZRO ROTATE <
+        lac ez
+        dac pez
+        >
         lac (-u1000+1   / -512 points
         dac wxlo
         lac (u1000-unit / 511
@@ -390,9 +432,14 @@ lefwin, 0
         lac eyesep
         cma
         tad (1
+        IFZERO ROTATE <
         tad ex
         jms limitx
         dac pex
+        >
+        IFNZRO ROTATE <
+        jms beside
+        >
         lac (u400+uhalf
         dac cx2
         jmp i lefwin
@@ -401,9 +448,14 @@ lefwin, 0
 rigwin, 0
         jms halfw
         lac eyesep
+        IFZERO ROTATE <
         tad ex
         jms limitx
         dac pex
+        >
+        IFNZRO ROTATE <
+        jms beside
+        >
         lac (u1000+u400+uhalf
         dac cx2
         jmp i rigwin
@@ -430,6 +482,9 @@ halfw,  0
 
 eyesep, 5               / half the distance between the eyes of a pair
 scale0, 1000            / scale of the first view: 90 degrees
+        IFNZRO ROTATE <
+angle0,  0               / direction of the first view: degrees to the right of +z
+        >
 
 / Variables of this tape
 file,   0               / the current display file; the handler starts it
@@ -443,6 +498,10 @@ ey,     0
 ez,     0
 scale,  0
 pex,    0               / eye x of this pass
+        IFNZRO ROTATE <
+pez,    0               / and z
+sumt,   0
+        >
 sumx,   0               / what the switches have asked for
 sumy,   0
 sumz,   0

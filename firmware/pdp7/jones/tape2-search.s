@@ -14,7 +14,12 @@ onepas, 0
         cma
         tad (1
         dac ney
+        IFZERO ROTATE <
         lac ez
+        >
+        IFNZRO ROTATE <
+        lac pez
+        >
         cma
         tad (1
         dac nez
@@ -140,6 +145,7 @@ opbox,  lac i 15        / apart from the mask: nothing can be seen
 
 / The eye may look through: outline and polygon together.
 crossb, jms plane
+        IFZERO ROTATE <
         IFNZRO EAE <
         lac rectf
         sza
@@ -175,6 +181,7 @@ crossb, jms plane
 crosbr, lac org         / a sloped edge cuts it: begin again
         jmp opens+1
         >
+        >
 
 crosbp, dzm rectf
         lac vec1
@@ -193,7 +200,9 @@ crosbp, dzm rectf
         lac revers
         xor (40000
         dac revers
-crosz,  lac r
+crosz=.
+        IFZERO ROTATE <
+        lac r
         jms zleast      / the least z at which the plane is in the bound
         dac zh
         cma
@@ -213,6 +222,10 @@ crosz,  lac r
         jms chain
         lac pcur
         jms wrap
+        >
+        IFNZRO ROTATE <
+        jms outlin
+        >
         lac pn
         tad (777775
         spa
@@ -303,9 +316,11 @@ plnk,   dzm ucell       / across k
         lac i t1
         tad nez
         dac r
+        IFZERO ROTATE <
         sma
         jmp i plane
         dzm r           / nothing is seen towards the back
+        >
         jmp i plane
 
         IFZERO WALK <
@@ -327,7 +342,9 @@ newrec, 0
         dac rec
         jms plane
         IFNZRO WALK <
+        IFZERO ROTATE <
         jms extent
+        >
         jmp recsiz
 / ext = how far an opening extends from the eye along each axis.
 / In: org, axis1 axis2 of plane.  Out: ext.  Destroys: 15 vecw exaxis excell exsum.
@@ -360,6 +377,18 @@ extent, 0
         >
 recsiz, lac (10
         dac i rec
+        IFNZRO ROTATE <
+        lac (377777     / its outline, with no line drawn
+        dac vmask
+        jms outlin
+        clc
+        dac vmask
+        lac pn
+        sna
+        jmp nrdone      / all of it beside the view
+        jms box
+        >
+        IFZERO ROTATE <
         lac ext+5
         tad (777777
         spa
@@ -416,6 +445,7 @@ nrfyhi, lac ext+3
         jmp nrstor
         jms clproj
         dac byhi
+        >
 nrstor, lac rec
         dac 15
         lac bxlo
@@ -457,6 +487,7 @@ nrdone, lac rec
         lac i rec
         jmp i newrec
 
+        IFZERO ROTATE <
 / In: AC, bound and divisor by newz.
 / Out: AC, projected from within the bound.
 / Destroys: t1, what proj destroys.
@@ -464,6 +495,7 @@ clproj, 0
         jms clamp
         jms proj
         jmp i clproj
+        >
 
 / In: AC = axis, vecw = a vector of the run, 15 at it.
 / Out: ext; vecw and 15: the vector after the run.

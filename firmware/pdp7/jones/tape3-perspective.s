@@ -1,5 +1,6 @@
 / Tape 3: lines in space and their perspective
 
+        IFZERO ROTATE <   / with ROTATE these are on tape 9
 / Bounds for the eye and scale of this pass: K = 4, doubled while K*W is below
 / 1024 points; with two or three fraction bits 1 if 4*W is above 2^15.
 / In: pjw.
@@ -624,6 +625,7 @@ raise,  0               / AC, but not below zmin
         jmp i raise
 rskeep, lac t1
         jmp i raise
+        >
 
 / Perspective: AC = sign * (|AC|*W + z/2) / z, with W in pjw, z by setz; half
 / of z is left out where quotients are cut off.

@@ -302,10 +302,12 @@ isymin, lac bylo
         jms side2
         sma
         jmp isnext      / all inside: nothing to cut
+        IFZERO ROTATE <
         IFNZRO EAE <
         lac rectf
         sza
         jmp crosbr
+        >
         >
         lac (jms shslop
         dac sdload

@@ -115,14 +115,19 @@ mdtest, lac mds
         >
         jmp i mdloop
 
-/ mpyh,mpyl = AC * mpyb * 2^(8-FRACTION), both below 1024 points: one step for
-/ each bit, the multiplier leaving the low word to the right as the product
+/ mpyh,mpyl = AC * mpyb * 2^(8-FRACTION), both below 1024 points; with ROTATE
+/ AC * mpyb, any two words: one step for each bit, the multiplier leaving the low word to the right as the product
 / enters it from the left.
 / In: AC, mpyb.  Out: mpyh mpyl.  Destroys: nothing else.
 mpy,    0
         dac mpya
         dzm mpyh
+        IFZERO ROTATE <
         lac (777766-FRACTION
+        >
+        IFNZRO ROTATE <
+        lac (777756     / all 18 bits
+        >
         dac mpyn
         lac mpyb
         rcr

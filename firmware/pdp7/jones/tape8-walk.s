@@ -17,6 +17,9 @@
 /   extent destroy; leaves by fault on a bad element or without a cell.
 travel, 0
         dzm stops
+        IFNZRO ROTATE <
+        jms newdir
+        >
         lac scene
         sna
         jms locate
@@ -275,6 +278,9 @@ keepok, lac limlo
 step,   0               / how far the eye is to go along each axis
         0
         0
+        IFNZRO ROTATE <
+        0               / and by how many degrees it is to turn
+        >
 stops,  0               / 1, 2, 4: a wall ended the leg along x, y, z
 target, 0               / where the leg would end
 passed, 0               / the last plane passed, as seen from where the leg began

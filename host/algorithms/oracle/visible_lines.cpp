@@ -1,6 +1,8 @@
 #include "host/algorithms/oracle/visible_lines.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "host/algorithms/oracle/sight_fan.hpp"
 
@@ -63,7 +65,8 @@ void keep_window(IntervalSet& seen, std::size_t axis, const Point& r, const Wind
   }
 }
 
-VisibleLine seen_of(const Matter& matter, const RealLine& line, const Point& eye, const Window& window) {
+// window: null for all around the eye.
+VisibleLine seen_of(const Matter& matter, const RealLine& line, const Point& eye, const Window* window) {
   VisibleLine result{line.from, line.to, {}};
   const Point r = relative(line.from, eye);
   const auto [u, v] = geometry::other_axes(line.axis);
@@ -71,7 +74,7 @@ VisibleLine seen_of(const Matter& matter, const RealLine& line, const Point& eye
   const std::int64_t start = r[line.axis];
   const std::int64_t length = std::int64_t{line.to[line.axis]} - line.from[line.axis];
   IntervalSet seen(start, start + length);
-  keep_window(seen, line.axis, r, window);
+  if (window) keep_window(seen, line.axis, r, *window);
   if (!seen.empty()) SightFan(matter, line, eye).subtract_shadows(seen);
   const auto parameter = [&](const Rational& x) {
     return Rational(x.numerator() - start * x.denominator(), x.denominator() * length);
@@ -79,6 +82,15 @@ VisibleLine seen_of(const Matter& matter, const RealLine& line, const Point& eye
   for (const auto& piece : seen.intervals())
     result.intervals.unite(parameter(piece.low), parameter(piece.high));
   return result;
+}
+
+std::vector<VisibleLine> seen_of_all(const Matter& matter, const std::vector<RealLine>& lines, const Point& eye, const Window* window) {
+  std::vector<VisibleLine> visible;
+  for (const RealLine& line : lines) {
+    VisibleLine seen = seen_of(matter, line, eye, window);
+    if (!seen.intervals.empty()) visible.push_back(std::move(seen));
+  }
+  return visible;
 }
 
 }  // namespace
@@ -89,12 +101,11 @@ bool is_line_for(const RealLine& line, const Point& eye) {
 
 std::vector<VisibleLine> visible_lines(const Matter& matter, const std::vector<RealLine>& lines,
                                        const Point& eye, const Window& window) {
-  std::vector<VisibleLine> visible;
-  for (const RealLine& line : lines) {
-    VisibleLine seen = seen_of(matter, line, eye, window);
-    if (!seen.intervals.empty()) visible.push_back(std::move(seen));
-  }
-  return visible;
+  return seen_of_all(matter, lines, eye, &window);
+}
+
+std::vector<VisibleLine> visible_lines_around(const Matter& matter, const std::vector<RealLine>& lines, const Point& eye) {
+  return seen_of_all(matter, lines, eye, nullptr);
 }
 
 std::optional<std::vector<VisibleLine>> visible_lines(const scene::CellScene& scene, const Point& eye,
@@ -117,6 +128,51 @@ std::vector<ScreenSegment> on_screen(const std::vector<VisibleLine>& lines, cons
     };
     for (const auto& [low, high] : line.intervals.intervals()) {
       segments.push_back({project(low, 0), project(low, 1), project(high, 0), project(high, 1)});
+    }
+  }
+  return segments;
+}
+
+namespace {
+
+// The part of a line that is before the sides of a window, from `low` to `high` of its length.
+struct Part {
+  double low = 0, high = 1;
+
+  // dp, dq: distances of the ends from a side, negative beyond it.
+  void keep(double dp, double dq) {
+    if (dp < 0 && dq < 0) high = -1;
+    if (dp < 0 && dq >= 0) low = std::max(low, dp / (dp - dq));
+    if (dp >= 0 && dq < 0) high = std::min(high, dp / (dp - dq));
+  }
+};
+
+}  // namespace
+
+std::vector<ScreenSegment> on_screen_turned(const std::vector<VisibleLine>& lines, const Point& eye, const Window& window, double cosine, double sine) {
+  using Place = std::array<double, 3>;
+  const double length = std::hypot(cosine, sine);
+  const auto between = [](const Place& p, const Place& q, double t) { return Place{p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2])}; };
+  const auto turned = [&](const Point& p) {
+    const Point r = relative(p, eye);
+    return Place{(r[0] * cosine - r[2] * sine) / length, static_cast<double>(r[1]), (r[0] * sine + r[2] * cosine) / length};
+  };
+  std::vector<ScreenSegment> segments;
+  for (const VisibleLine& line : lines) {
+    for (const auto& [from, to] : line.intervals.intervals()) {
+      const Place p = between(turned(line.p), turned(line.q), from.to_double());
+      const Place q = between(turned(line.p), turned(line.q), to.to_double());
+      Part part;
+      part.keep(p[2] - window.near, q[2] - window.near);
+      for (std::size_t b = 0; b < 2; ++b) {
+        const auto inside = [&](const Place& at, std::int32_t bound) { return at[b] * window.scale - (bound - window.centre[b]) * at[2]; };
+        part.keep(inside(p, window.points[b].low), inside(q, window.points[b].low));
+        part.keep(-inside(p, window.points[b].high), -inside(q, window.points[b].high));
+      }
+      if (part.low >= part.high) continue;
+      const Place a = between(p, q, part.low), z = between(p, q, part.high);
+      const auto screen = [&](const Place& at, std::size_t b) { return at[b] * window.scale / at[2] + window.centre[b]; };
+      segments.push_back({screen(a, 0), screen(a, 1), screen(z, 0), screen(z, 1)});
     }
   }
   return segments;

@@ -279,8 +279,8 @@ PageGallery jones_gallery(const std::string& directory, const DemoResults& resul
   }
   for (const WalkRow& row : results.walks) {
     if (!row.eae) continue;
-    const std::string stem = file_stem(row.scene) + "-walk";
-    gallery.figures.push_back({stem + "-phosphor.png", fmt::format("{} after a walk through {} of its cells: {:.2f} s a view on the way", row.scene, row.entered, row.mean_s)});
+    const std::string stem = walk_stem(row.scene, row.rotation);
+    gallery.figures.push_back({stem + "-phosphor.png", fmt::format("{} after a walk{} through {} of its cells: {:.2f} s a view on the way", row.scene, row.rotation ? ", the view turning," : "", row.entered, row.mean_s)});
     gallery.figures.push_back({stem + ".png", fmt::format("{} after the walk, point by point", row.scene)});
   }
   return gallery;

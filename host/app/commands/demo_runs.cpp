@@ -73,9 +73,13 @@ void add_jones_rows(Json& document, const std::vector<JonesRow>& rows) {
   }
 }
 
+std::string walk_stem(const std::string& scene, bool rotation) { return file_stem(scene) + (rotation ? "-turned-walk" : "-walk"); }
+
 std::vector<WalkRow> run_walks(const std::string& directory) {
   std::vector<WalkRow> rows;
-  for (const jones::KnownWalk& known : jones::known_walks) {
+  std::vector<jones::KnownWalk> walks(jones::known_walks.begin(), jones::known_walks.end());
+  walks.insert(walks.end(), jones::known_turned_walks.begin(), jones::known_turned_walks.end());
+  for (const jones::KnownWalk& known : walks) {
     const std::string name(known.scene);
     const scene::CellScene scene = load_cells(name);
     for (const bool eae : {true, false}) {
@@ -83,9 +87,10 @@ std::vector<WalkRow> run_walks(const std::string& directory) {
       order.walk = value_of(jones::read_walk(known.steps), name);
       if (eae) order.photograph = photograph_time;
       order.check = true;
-      const jones::Outcome outcome = value_of(jones::run(scene, {.eae = eae, .walk = true}, order), name);
-      if (eae) write_jones_pictures(directory, file_stem(scene.name) + "-walk", title_of(scene.name, eae) + ", after a walk", outcome);
-      WalkRow& row = rows.emplace_back(WalkRow{name, eae, outcome.views.size(), 0, scene.cells.size(), 0, 0, outcome.core_words});
+      const bool rotation = jones::has_turn(order.walk);
+      const jones::Outcome outcome = value_of(jones::run(scene, {.eae = eae, .walk = true, .rotation = rotation}, order), name);
+      if (eae) write_jones_pictures(directory, walk_stem(scene.name, rotation), title_of(scene.name, eae) + ", after a walk", outcome);
+      WalkRow& row = rows.emplace_back(WalkRow{name, rotation, eae, outcome.views.size(), 0, scene.cells.size(), 0, 0, outcome.core_words});
       std::set<std::size_t> entered;
       for (const jones::View& view : outcome.views) {
         entered.insert(view.cell);
@@ -99,12 +104,12 @@ std::vector<WalkRow> run_walks(const std::string& directory) {
 }
 
 std::string walk_table(const std::vector<WalkRow>& rows) {
-  std::string text = fmt::format("{:<11}{:<5}{:>7}{:>16}{:>14}{:>14}{:>16}\n", "scene", "EAE", "views", "cells entered", "seconds mean", "worst", "words of core");
+  std::string text = fmt::format("{:<11}{:<7}{:<5}{:>7}{:>16}{:>14}{:>14}{:>16}\n", "scene", "turns", "EAE", "views", "cells entered", "seconds mean", "worst", "words of core");
   for (const WalkRow& row : rows) {
-    text += fmt::format("{:<11}{:<5}{:>7}{:>16}{:>14.3f}{:>14.3f}{:>16}\n", row.scene, row.eae ? "yes" : "no", row.views, fmt::format("{}/{}", row.entered, row.cells),
+    text += fmt::format("{:<11}{:<7}{:<5}{:>7}{:>16}{:>14.3f}{:>14.3f}{:>16}\n", row.scene, row.rotation ? "yes" : "no", row.eae ? "yes" : "no", row.views, fmt::format("{}/{}", row.entered, row.cells),
                         row.mean_s, row.worst_s, fmt::format("{}/{}", row.words, jones::core_words));
   }
-  text += "The program finds the cell of the camera by the planes of the cells and follows it through portals; Jones, 1971: \"ideally there would be complete freedom of movement of the viewpoint\".\n";
+  text += "The program finds the cell of the camera by the planes of the cells and follows it through portals; Jones, 1971: \"ideally there would be complete freedom of movement of the viewpoint\". In a longer build the view also turns about the vertical.\n";
   return text;
 }
 
@@ -112,6 +117,7 @@ void add_walks(Json& document, const std::vector<WalkRow>& rows) {
   document["walks"] = Json::array();
   for (const WalkRow& row : rows) {
     document["walks"].push_back({{"scene", row.scene},
+                                 {"rotation", row.rotation},
                                  {"eae", row.eae},
                                  {"views", row.views},
                                  {"cells_entered", row.entered},

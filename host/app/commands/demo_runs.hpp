@@ -31,6 +31,7 @@ void add_jones_rows(base::Json& document, const std::vector<JonesRow>& rows);
 // A walk from cell to cell, with the EAE or without.
 struct WalkRow {
   std::string scene;
+  bool rotation = false;
   bool eae = false;
   std::size_t views = 0;
   std::size_t entered = 0;  // cells
@@ -39,7 +40,9 @@ struct WalkRow {
   double worst_s = 0;
   std::uint32_t words = 0;
 };
-// Writes SCENE-walk.png, -walk-phosphor.png and -walk.svg, the last view with the EAE, into `directory`. Errors as above.
+// Writes SCENE-walk.png, -walk-phosphor.png and -walk.svg, the last view with the EAE, into `directory`; -turned-walk for walks on
+// which the view turns. Errors as above.
+[[nodiscard]] std::string walk_stem(const std::string& scene, bool rotation);
 [[nodiscard]] std::vector<WalkRow> run_walks(const std::string& directory);
 [[nodiscard]] std::string walk_table(const std::vector<WalkRow>& rows);
 // Adds "walks".

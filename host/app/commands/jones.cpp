@@ -28,6 +28,7 @@ struct JonesArguments {
   std::optional<int> scale;
   std::string switches;
   std::optional<std::string> walk;
+  std::optional<int> turn;
   bool stereo = false;
   bool immediate = false;
   std::optional<int> views;
@@ -55,6 +56,7 @@ jones::Order order_of(const JonesArguments& arguments) {
     if (!walk) throw base::usage_error("--walk: " + walk.error().message());
     order.walk = std::move(*walk);
   }
+  order.angle = arguments.turn.value_or(0);
   if (!arguments.switches.empty()) {
     static_cast<void>(value_of(machines::read_switches(read_named(arguments.switches), order.switches)));
     // The switches of --stereo and --immediate stay up, whatever the script sets.
@@ -64,14 +66,15 @@ jones::Order order_of(const JonesArguments& arguments) {
   return order;
 }
 
-Json document_of(const JonesArguments& arguments, const scene::CellScene& scene, const jones::Outcome& outcome,
+Json document_of(const JonesArguments& arguments, const jones::Build& build, const scene::CellScene& scene, const jones::Outcome& outcome,
                  const std::vector<std::string>& pictures) {
   Json document{{"schema", "sightline/jones/1"},
                 {"scene", arguments.scene},
                 {"eae", !arguments.no_eae},
                 {"fraction_bits", arguments.fraction},
                 {"truncated", arguments.truncate},
-                {"walk", arguments.walk.has_value()},
+                {"walk", build.walk},
+                {"rotation", build.rotation},
                 {"eye", outcome.eye},
                 {"cells", scene.cells.size()},
                 {"core_words_used", outcome.core_words},
@@ -89,7 +92,8 @@ Json document_of(const JonesArguments& arguments, const scene::CellScene& scene,
                {"lines_clipped", view.lines_clipped},
                {"segments", view.pieces},
                {"display_words", view.display_file.size()}};
-    if (arguments.walk.has_value()) {
+    if (build.rotation) entry["angle"] = view.angle;
+    if (build.walk) {
       entry["eye"] = view.eye;
       entry["cell"] = view.cell < scene.cells.size() ? Json(view.cell) : Json(nullptr);
       entry["stopped"] = Json::array();
@@ -102,7 +106,7 @@ Json document_of(const JonesArguments& arguments, const scene::CellScene& scene,
   return document;
 }
 
-std::string summary_of(const JonesArguments& arguments, const scene::CellScene& scene, const jones::Outcome& outcome) {
+std::string summary_of(const JonesArguments& arguments, const jones::Build& build, const scene::CellScene& scene, const jones::Outcome& outcome) {
   const jones::View& view = outcome.view();
   const auto& eye = outcome.eye;
   std::string text = fmt::format("{} from {},{},{}, PDP-7 {} EAE\n", arguments.scene, eye[0], eye[1], eye[2],
@@ -111,10 +115,11 @@ std::string summary_of(const JonesArguments& arguments, const scene::CellScene& 
     const jones::View& each = outcome.views[n];
     text += fmt::format("{:<17}{:.3f} s{}", fmt::format("view {}", n + 1), core::in_seconds(each.time),
                         n == 0 ? " (display dark)" : " (picture being refreshed)");
-    if (arguments.walk.has_value()) {
+    if (build.walk) {
       text += fmt::format(", eye {},{},{} in {}", each.eye[0], each.eye[1], each.eye[2],
                           each.cell < scene.cells.size() ? fmt::format("cell {}", each.cell) : "no cell");
     }
+    if (build.rotation) text += fmt::format(", {} degrees", each.angle);
     if (each.stops != 0) text += fmt::format(", stopped by a wall along {}", jones::axes_of(each.stops));
     text += "\n";
   }
@@ -135,14 +140,17 @@ std::string summary_of(const JonesArguments& arguments, const scene::CellScene& 
 
 ExitCode run_jones(const JonesArguments& arguments) {
   const scene::CellScene scene = load_cells(arguments.scene);
-  const jones::Build build{!arguments.no_eae, arguments.fraction, arguments.truncate, arguments.walk.has_value()};
-  const jones::Outcome outcome = value_of(jones::run(scene, build, order_of(arguments)), arguments.scene);
+  const jones::Order order = order_of(arguments);
+  jones::Build build{!arguments.no_eae, arguments.fraction, arguments.truncate};
+  build.rotation = arguments.turn.has_value() || jones::has_turn(order.walk);
+  build.walk = arguments.walk.has_value() || build.rotation;
+  const jones::Outcome outcome = value_of(jones::run(scene, build, order), arguments.scene);
   const auto pictures = write_jones_pictures(arguments.directory, file_stem(scene.name),
                                              title_of(scene.name, build.eae), outcome);
   if (arguments.json) {
-    print_json(document_of(arguments, scene, outcome, pictures));
+    print_json(document_of(arguments, build, scene, outcome, pictures));
   } else {
-    write_stdout(summary_of(arguments, scene, outcome));
+    write_stdout(summary_of(arguments, build, scene, outcome));
     for (const std::string& path : pictures) write_stdout(fmt::format("picture          {}\n", path));
   }
   if (arguments.check) report_equal(arguments.scene);
@@ -174,6 +182,9 @@ void add_jones_command(const Command& program) {
       .value("SCRIPT");
   command.option("--walk", arguments->walk, "Walk from cell to cell: the way to each further view, as \"in 100, right 50 up 20\", or \"switches\"")
       .value("STEPS");
+  command.option("--turn", arguments->turn, "Turn the view to the right by these degrees; the program then rotates, and moves where the view looks")
+      .value("DEGREES")
+      .range(-360, 360);
   command.flag("--stereo", arguments->stereo, "A stereo pair: AC switch 17 up");
   command.flag("--immediate", arguments->immediate, "Add lines to the picture at once: AC switch 16 up; with a movie of view 1, SCENE.apng");
   command.option("--views", arguments->views, "Number of views to compute; the last one is shown")

@@ -17,6 +17,7 @@
 #include "host/programs/jones/encode.hpp"
 #include "host/programs/jones/program.hpp"
 #include "host/programs/jones/specification.hpp"
+#include "host/programs/jones/twin/rotation.hpp"
 #include "host/programs/skala/program.hpp"
 #include "host/programs/skala/skala.hpp"
 #include "host/programs/skala/stream.hpp"
@@ -187,7 +188,8 @@ Json make_jones(Workbench& workbench, const Json& request) {
   const auto scene = jones_scene(workbench, text_of(request, "scene"));
   if (!scene) return error_answer(scene.error().message());
   const bool eae = flag_of(request, "eae", true);
-  const auto program = programs::jones::assemble_program(*scene, {.eae = eae, .walk = flag_of(request, "walk")}, point_of(request.find("eye")));
+  const bool rotation = flag_of(request, "rotation");
+  const auto program = programs::jones::assemble_program(*scene, {.eae = eae, .walk = flag_of(request, "walk") || rotation, .rotation = rotation}, point_of(request.find("eye")));
   if (!program) return error_answer(program.error().message());
   machines::Program image{{}, program->labels.start};
   for (std::uint32_t at = 0; at < program->core.size(); ++at) image.words.emplace_back(at, program->core[at].value());
@@ -198,8 +200,9 @@ Json make_jones(Workbench& workbench, const Json& request) {
   if (session == nullptr) return made;
   if (request.find("scale") != nullptr)
     session->machine().put(program->labels.scale, static_cast<std::uint32_t>(std::clamp(number_of(request, "scale", 512), 64.0, 4096.0)));
+  if (rotation) session->machine().put(program->labels.first_angle, static_cast<std::uint32_t>(std::clamp(number_of(request, "angle", 0), 0.0, 359.0)));
   Json labels = Json::object();
-  for (const char* const name : {"ex", "ey", "ez", "scale", "views", "status", "file", "shown", "runing", "stops"}) {
+  for (const char* const name : {"ex", "ey", "ez", "scale", "views", "status", "file", "shown", "runing", "stops", "angle"}) {
     const auto found = program->symbols.find(name);
     if (found != program->symbols.end()) labels[name] = found->second;
   }
@@ -214,7 +217,8 @@ Json make_jones(Workbench& workbench, const Json& request) {
 }
 
 // The exact picture of a scene of cells from "eye" at scale "scale", as in `compare`: the visible lines of the scene's matter in
-// the program's windows, in points of the Type 340, [x0, y0, x1, y1]; with "stereo" those of both eyes.
+// the program's windows, in points of the Type 340, [x0, y0, x1, y1]; with "stereo" those of both eyes; with "angle", degrees, of the
+// view turned to the right.
 Json sight(Workbench& workbench, const Json& request) {
   namespace jones = programs::jones;
   const auto scene = jones_scene(workbench, text_of(request, "scene"));
@@ -227,11 +231,15 @@ Json sight(Workbench& workbench, const Json& request) {
   if (!matter) return error_answer("the scene is too large for exact lines");
   const auto scale = static_cast<std::int32_t>(std::clamp(number_of(request, "scale", 512), 64.0, 4096.0));
   const auto real_lines = matter->real_lines();
+  const bool turned = request.find("angle") != nullptr;
+  const jones::Direction direction = jones::direction_of(static_cast<std::int32_t>(std::clamp(number_of(request, "angle", 0), -360.0, 360.0)));
   Json lines = Json::array();
   const auto add = [&](jones::Pass pass, std::int32_t shift) {
     geometry::Point eye = *given;
     // Both eyes of a pair stay in the box in which the program moves.
-    if (shift != 0) eye[0] = std::clamp(eye[0] + shift, place->limits.low[0], place->limits.high[0]);
+    const auto [right, ahead] = jones::TurnedSteps().take(direction, shift, 0);
+    if (shift != 0) eye[0] = std::clamp(eye[0] + right, place->limits.low[0], place->limits.high[0]);
+    if (shift != 0) eye[2] = std::clamp(eye[2] + ahead, place->limits.low[2], place->limits.high[2]);
     const jones::Window shown = jones::window_of(pass, scale, 0);
     oracle::Window window;
     window.scale = shown.width_scale;
@@ -239,7 +247,9 @@ Json sight(Workbench& workbench, const Json& request) {
     window.points = {geometry::Span{shown.centre_x + shown.xlo, shown.centre_x + shown.xhi},
                      geometry::Span{shown.centre_y + shown.ylo, shown.centre_y + shown.yhi}};
     window.near = jones::near_z;
-    for (const auto& line : oracle::on_screen(oracle::visible_lines(*matter, real_lines, eye, window), eye, window))
+    const auto seen = turned ? oracle::on_screen_turned(oracle::visible_lines_around(*matter, real_lines, eye), eye, window, direction.cosine, direction.sine)
+                             : oracle::on_screen(oracle::visible_lines(*matter, real_lines, eye, window), eye, window);
+    for (const auto& line : seen)
       lines.push_back(Json::array({line.x0, line.y0, line.x1, line.y1}));
   };
   if (flag_of(request, "stereo")) {

@@ -257,6 +257,7 @@ void load(pdp7::Machine& machine, const Program& program, std::span<const core::
   machine.load(0, core);
   if (order.scale)
     machine.deposit(program.labels.scale, core::Word18(static_cast<std::uint32_t>(*order.scale)));
+  if (program.build.rotation) machine.deposit(program.labels.first_angle, core::Word18(static_cast<std::uint32_t>(order.angle)));
   if (!order.clock) machine.deposit(program.labels.clock, core::Word18(clock_off));
   machine.console().set(core::Word18((order.stereo ? 1U : 0U) | (order.immediate ? 2U : 0U)));
   if (!order.switches.empty()) machine.console().schedule(order.switches);
@@ -298,6 +299,7 @@ View view_of(const pdp7::Machine& machine, const Program& program, Watch& watch,
   for (std::size_t a = 0; a < 3; ++a) view.eye[a] = machine.peek(program.labels.eye + static_cast<pdp7::Address>(a)).twos_complement();
   view.cell = cell_at(program, machine.peek(program.labels.scene).value());
   if (program.build.walk) view.stops = machine.peek(program.labels.stops).value();
+  if (program.build.rotation) view.angle = machine.peek(program.labels.angle).twos_complement();
   watch.give_pieces(view);
   return view;
 }
@@ -347,9 +349,10 @@ std::size_t views_of(const Order& order) {
 
 // Replaces what the switches have summed up since the last view: the program has copied the sums, and has not taken the
 // steps.
-void put_steps(pdp7::Machine& machine, const Program& program, const Steps& steps) {
-  for (std::size_t a = 0; a < 3; ++a)
-    machine.deposit(program.labels.steps + static_cast<pdp7::Address>(a), core::Word18(static_cast<std::uint32_t>(steps[a])));
+void put_steps(pdp7::Machine& machine, const Program& program, const Move& move) {
+  const auto put = [&](pdp7::Address word, std::int32_t number) { machine.deposit(program.labels.steps + word, core::Word18(static_cast<std::uint32_t>(number))); };
+  for (std::size_t a = 0; a < 3; ++a) put(static_cast<pdp7::Address>(a), move.steps[a]);
+  if (program.build.rotation) put(3, move.turn);
 }
 
 // Runs the machine until the views are complete and the display has shown the last one. False: the time limit came first.
@@ -415,10 +418,19 @@ std::string difference_of(const View& view, const TwinView& twin) {
 std::string difference_of_walk(const Program& program, std::span<const core::Word18> core, const Order& order, const Outcome& outcome) {
   Walk walk({core.begin(), core.end()}, program.labels.scene, program.scene.cell_addresses.front());
   TwinView view;
+  std::int32_t angle = whole_turn(order.angle);
+  TurnedSteps turned;
   for (std::size_t n = 0; n < outcome.views.size(); ++n) {
     const View& machine = outcome.views[n];
     view = TwinView{};
-    view.status = walk.take(n > 0 && n <= order.walk.size() ? order.walk[n - 1] : Steps{});
+    Move move = n > 0 && n <= order.walk.size() ? order.walk[n - 1] : Move{};
+    if (program.build.rotation) {
+      angle = whole_turn(angle + move.turn);
+      const auto [x, z] = turned.take(direction_of(angle), move.steps[0], move.steps[2]);
+      move.steps = {x, move.steps[1], z};
+    }
+    view.status = walk.take(move.steps);
+    if (angle != machine.angle) return fmt::format("view {} is turned by {} degrees, the twin's by {}", n + 1, machine.angle, angle);
     if (walk.eye() != machine.eye || walk.stops() != machine.stops || cell_at(program, walk.cell()) != machine.cell)
       return fmt::format("the eye of view {} is at {} in cell {}, the twin's at {} in cell {}", n + 1, base::joined(machine.eye, ","), machine.cell,
                          base::joined(walk.eye(), ","), cell_at(program, walk.cell()));
@@ -426,7 +438,9 @@ std::string difference_of_walk(const Program& program, std::span<const core::Wor
   if (view.status != Status::complete) return view.status == outcome.view().status ? "" : difference_of(outcome.view(), view);
   std::vector<core::Word18> there = walk.core();
   for (std::size_t a = 0; a < 3; ++a) there[program.labels.scene + 2 + a] = core::Word18(static_cast<std::uint32_t>(walk.eye()[a]));
-  return difference_of(outcome.view(), run_twin(program, there, order));
+  Order last = order;
+  last.angle = angle;
+  return difference_of(outcome.view(), run_twin(program, there, last));
 }
 
 base::Result<Outcome> run_core(const Program& program, std::span<const core::Word18> core, const Order& order) {
@@ -459,6 +473,7 @@ TwinView run_twin(const Program& program, std::span<const core::Word18> core, co
   parameters.immediate = order.immediate;
   parameters.fraction_bits = static_cast<int>(program.build.fraction_bits);
   parameters.truncate = program.build.truncate;
+  if (program.build.rotation) parameters.direction = direction_of(order.angle);
   return run_twin(core, program.labels.scene, parameters);
 }
 

@@ -34,9 +34,10 @@ struct Order {
   bool immediate = false;              // AC switch 16: lines are added at once
   bool clock = true;
   std::vector<pdp7::SwitchSetting> switches;  // a script of the console switches, instead of `stereo` and `immediate`
-  // Only for a build with the walk: the steps of each view after the first, along x, y and z, as the switches would have
-  // summed them. The views are then one more than these.
-  std::vector<Steps> walk;
+  // Only for a build with the walk: the move before each view after the first, as the switches would have summed it;
+  // turns only for a build with rotation. The views are then one more than these.
+  std::vector<Move> walk;
+  std::int32_t angle = 0;  // only for a build with rotation: direction of the first view, degrees to the right of +z
   int views = 2;
   bool display = true;                        // false: views are computed with no display on the machine
   core::Duration photograph{};                // keep strokes for this long after the last view's first pass
@@ -63,6 +64,7 @@ struct View {
   geometry::Point eye{};
   std::size_t cell = 0;      // of the eye; the number of cells if it is in none
   std::uint32_t stops = 0;   // 1, 2, 4: a wall stopped the eye along x, y, z; 0 without the walk
+  std::int32_t angle = 0;    // direction of the view, 0..359 degrees to the right of +z
   // Only for orders with `pieces`, of one eye: the pieces as they left the clip, and the ends of each in points of the
   // screen.
   std::vector<Piece> clipped;

@@ -17,4 +17,10 @@ inline constexpr std::array<KnownWalk, 2> known_walks{{
     {"street4", "in 400, in 600, in 700, in 500, in 600, left 500, up 450, out 900, right 600 out 800, down 300"},
 }};
 
+// With turns of the view, for the program with rotation.
+inline constexpr std::array<KnownWalk, 1> known_turned_walks{{
+    // Round the living room, through the wide door of the dining room, to its hatch and back to look through the door.
+    {"house", "turn-left 30, in 200, turn-right 30 in 100, in 200, turn-left 60, turn-left 30 in 50, turn-left 45, turn-left 45, turn-left 20 right 40"},
+}};
+
 }  // namespace sightline::programs::jones

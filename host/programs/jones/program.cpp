@@ -38,6 +38,10 @@ Labels labels_of(const assembler::Assembly& assembly, const Build& build) {
     labels.steps = at("step");
     labels.stops = at("stops");
   }
+  if (build.rotation) {
+    labels.first_angle = at("angle0");
+    labels.angle = at("angle");
+  }
   return labels;
 }
 
@@ -66,6 +70,7 @@ base::Result<Program> assemble_program(const scene::CellScene& scene, const Buil
   assembler_options.defines.push_back({"FRACTION", build.fraction_bits});
   assembler_options.defines.push_back({"TRUNCATE", build.truncate ? 1U : 0U});
   assembler_options.defines.push_back({"WALK", build.walk ? 1U : 0U});
+  assembler_options.defines.push_back({"ROTATE", build.rotation ? 1U : 0U});
   const auto assembly = assembler::assemble_pdp7(sources_with(*tape), assembler_options);
   if (!assembly.ok()) base::give_up("the program does not assemble:\n" + all_diagnostics(assembly));
 

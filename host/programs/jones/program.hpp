@@ -44,8 +44,11 @@ struct Labels {
   std::uint32_t file_words = 0;  // size of one display file
   pdp7::Address eye = 0;         // ex: the eye of the last view, three words
   // Only with Build::walk.
-  pdp7::Address steps = 0;  // step: the steps of the view that begins, three words
+  pdp7::Address steps = 0;  // step: the steps of the view that begins, three words; a fourth for rotation
   pdp7::Address stops = 0;  // the axes along which a wall stopped the eye
+  // Only with Build::rotation.
+  pdp7::Address first_angle = 0;  // angle0: of the first view, degrees
+  pdp7::Address angle = 0;        // of the last view, 0..359
 };
 
 // The instruction to store at Labels::clock for a program without the clock.
@@ -56,6 +59,7 @@ struct Build {
   std::uint32_t fraction_bits = 3;  // -D FRACTION, 0..3: of a coordinate on the screen
   bool truncate = false;            // -D TRUNCATE: quotients and points are truncated, not rounded
   bool walk = false;                // -D WALK: the eye walks from cell to cell
+  bool rotation = false;            // -D ROTATE, only with walk: the view turns about the vertical
 };
 
 struct Program {

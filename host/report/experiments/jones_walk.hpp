@@ -36,10 +36,24 @@ struct JonesWalkWords {
   std::size_t program_words = 0;
   std::size_t used_words = 0;
   std::size_t used_words_standing = 0;
+  std::size_t used_words_turning = 0;  // may be more than the machine has
+};
+
+// A view on a way on which the view turns.
+struct JonesTurnedStep {
+  std::string scene;
+  std::size_t view = 0;
+  std::string eye;
+  std::int32_t angle = 0;  // degrees
+  double turned_s = 0;
+  double turned_without_eae_s = 0;
+  double farthest = 0;  // points
+  double bound = 0;
 };
 
 struct JonesWalks {
   std::vector<JonesStep> steps;
+  std::vector<JonesTurnedStep> turned;
   std::vector<JonesWalkWords> words;
   std::vector<std::pair<std::string, Picture>> last;  // the last picture of each walk, photographed
 };

@@ -153,6 +153,26 @@ TEST_F(JonesCommand, AWalkFromCellToCell) {
   EXPECT_EQ(still.at("views")[1].at("display_words"), walk.at("views")[1].at("display_words"));
 }
 
+TEST_F(JonesCommand, AViewThatTurns) {
+  const Ran ran = sightline({"jones", "house", "--turn", "-90", "--walk", "in 100, turn-right 90 in 50", "--check"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(has(ran.out, "eye 480,160,20 in cell 0, 270 degrees\n")) << ran.out;
+  EXPECT_TRUE(has(ran.out, "eye 380,160,20 in cell 0, 270 degrees\n")) << ran.out;
+  EXPECT_TRUE(has(ran.out, "eye 380,160,70 in cell 0, 0 degrees\n")) << ran.out;
+  const json turned = report({"house", "--no-eae", "--turn", "45", "--stereo"});
+  EXPECT_EQ(turned.at("rotation"), true);
+  EXPECT_EQ(turned.at("views")[1].at("angle"), 45);
+  EXPECT_EQ(report({"house"}).at("rotation"), false);
+  for (const char* degrees : {"361", "1.5", "x", ""}) {
+    const Ran wrong = sightline({"jones", "house", "--turn", degrees});
+    EXPECT_EQ(wrong.exit_code, 2) << degrees;
+    EXPECT_TRUE(has(wrong.err, "--turn")) << wrong.err;
+  }
+  const Ran large = sightline({"jones", "street4", "--turn", "10"});
+  EXPECT_EQ(large.exit_code, 4);
+  EXPECT_TRUE(has(large.err, "115 words too many")) << large.err;
+}
+
 TEST_F(JonesCommand, AWalkByTheSwitches) {
   NEEDS_OPTIMISED_CODE();
   write("in.txt", "0 20000\n");

@@ -16,11 +16,13 @@ const CORE = 8192;  // words of core of the machine for Jones's program
 // are red, like its picture, and missing ones are yellow.
 const RIGHT = '#4cc9f0', MISSING = '#ff4d4d', EXTRA = '#ff4dd2', PAIR_LEFT = '#ff8080', PAIR_MISSING = '#ffd43b', PEN_COLOUR = '#ffd43b';
 
-// AC switches 0 to 7 of Jones's program (firmware/pdp7/jones/SPECIFICATION.md, section 6), with their keys.
+// AC switches 0 to 7 of Jones's program (firmware/pdp7/jones/SPECIFICATION.md, section 6), and 8 and 9 of that with rotation, with their keys.
 const WALK = [
   ['left', 'ArrowLeft'], ['right', 'ArrowRight'], ['up', 'u'], ['down', 'd'],
   ['in', 'ArrowUp'], ['out', 'ArrowDown'], ['bigger', '+'], ['smaller', '-'],
+  ['turn left', ','], ['turn right', '.'],
 ];
+const TURN = 8;  // the first switch that turns
 const ARROWS = {ArrowLeft: '\u2190', ArrowRight: '\u2192', ArrowUp: '\u2191', ArrowDown: '\u2193'};
 
 // A suggestion for each example.
@@ -39,7 +41,7 @@ export class Pdp7Tab {
     this.turning = new Turning(module, solids, this);
     this.examples = examples.filter(each => each.machine === 'pdp7');
     this.remember = remember;
-    this.options = {program: 'house', eae: true, stereo: false, immediate: false, redCyan: false, exact: false, through: false, glow: 'p7', scale: 512, speed: 1, switches: 0};
+    this.options = {program: 'house', eae: true, stereo: false, immediate: false, redCyan: false, exact: false, through: false, rotate: false, glow: 'p7', scale: 512, speed: 1, switches: 0};
     this.id = 0;
     this.clock = new Clock(seconds => this.picture(seconds));
     this.litAt = new Float64Array(65536).fill(-1e18);  // time at which each block of 4 by 4 points was last lit
@@ -98,7 +100,8 @@ export class Pdp7Tab {
         this.message,
         group('Program', this.programs),
         this.walk = group('Walk: hold a switch, or its key', this.walkPad(),
-          this.through = check('Through portals, from cell to cell', o.through, set('through'), 'The program finds the cell of the eye and follows it through portals, which Jones left out. Otherwise the eye stays in the cell where it begins.'),
+          this.through = check('Through portals, from cell to cell', o.through, value => { o.through = value; if (!value) o.rotate = this.rotate.box.checked = false; this.restart(); }, 'The program finds the cell of the eye and follows it through portals, which Jones left out. Otherwise the eye stays in the cell where it begins.'),
+          this.rotate = check('The view turns', o.rotate, value => { o.rotate = value; if (value) o.through = this.through.box.checked = true; this.restart(); }, 'Two more switches turn the view, and the others move where it looks. The program is longer and takes up to twice as long for a view.'),
           button('Back to the start', () => { o.switches = 0; this.restart(); }, 'Back to the start: the program begins again, from the place where the walk began')), this.turning.group,
         fold('Options', speed, this.glow,
           this.eae = check('EAE: multiply and divide in hardware', o.eae, set('eae'), 'The extended arithmetic element, an option of the PDP-7. Without it the program multiplies and divides by subroutines, and is slower.'),
@@ -231,7 +234,7 @@ export class Pdp7Tab {
       made = restored;
       this.labels = made.labels && this.walks.has(o.program) ? made.labels : null;
     } else if (this.walks.has(o.program)) {
-      made = this.module.ask({do: 'jones', scene: o.program, eae: o.eae, walk: o.through, stereo: o.stereo, immediate: o.immediate, scale: o.scale, switches: o.switches});
+      made = this.module.ask({do: 'jones', scene: o.program, eae: o.eae, walk: o.through, rotation: o.rotate, stereo: o.stereo, immediate: o.immediate, scale: o.scale, switches: o.switches});
       this.labels = made.labels;
     } else if (this.turns) {
       made = this.turning.make();
@@ -266,6 +269,7 @@ export class Pdp7Tab {
     const jones = this.walks.has(program);
     this.turns = this.turning.owns(program);
     this.walk.hidden = !jones;
+    this.pads.forEach((b, bit) => { b.hidden = bit >= TURN && !this.options.rotate; });
     this.introduce();
     this.turning.group.hidden = !this.turns;
     this.exact.hidden = !jones && !this.turns;
@@ -280,6 +284,7 @@ export class Pdp7Tab {
     o.switches = this.labels ? word & ~3 : word;
     this.eae.box.checked = o.eae;
     this.through.box.checked = o.through;
+    this.rotate.box.checked = o.rotate;
     this.stereo.box.checked = o.stereo;
     this.immediate.box.checked = o.immediate;
   }
@@ -306,10 +311,10 @@ export class Pdp7Tab {
     if (made.error) return made.error.includes('section "reader"') ? `${made.error}\nOpen the tape first, or choose the solid that turned, and then open the snapshot.` : made.error;
     o.eae = eae;
     for (const program of new Set([...likely, ...this.walks])) {
-      for (const through of [false, true]) {
-        const labels = this.walks.has(program) && this.labelsIn(made.id, program, through);
+      for (const [through, rotate] of [[false, false], [true, false], [true, true]]) {
+        const labels = this.walks.has(program) && this.labelsIn(made.id, program, through, rotate);
         if (!labels) continue;
-        o.through = through;
+        Object.assign(o, {through, rotate});
         return this.goOn(program, {...made, labels});
       }
     }
@@ -324,9 +329,9 @@ export class Pdp7Tab {
   }
   // The labels of Jones's program with a scene, if the machine has them in core: all words of the scene, and those of the program except a few
   // that it changes. A program that goes through portals changes the scene's header and the records of its portals.
-  labelsIn(id, scene, through) {
+  labelsIn(id, scene, through, rotate) {
     const {module} = this;
-    const fresh = module.ask({do: 'jones', scene, eae: this.options.eae, walk: through});
+    const fresh = module.ask({do: 'jones', scene, eae: this.options.eae, walk: through, rotation: rotate});
     if (fresh.error) return null;
     const {labels} = fresh;
     let changed = 0;
@@ -451,7 +456,7 @@ export class Pdp7Tab {
     if (!this.id || event.ctrlKey || event.altKey || event.metaKey || takesKeys(event.target)) return false;
     if (this.turns) return this.turning.key(event);
     const bit = WALK.findIndex(([, key]) => key === event.key || key === event.key.toLowerCase());
-    return bit >= 0 && Boolean(this.labels) && this.holdKey(event, down => this.hold(bit, down));
+    return bit >= 0 && (bit < TURN || this.options.rotate) && Boolean(this.labels) && this.holdKey(event, down => this.hold(bit, down));
   }
   // A key that acts while it is pressed. It is identified by its code, because its character may differ on release.
   holdKey(event, act) {
@@ -532,7 +537,8 @@ export class Pdp7Tab {
     this.lamp.classList.toggle('on', this.on && performance.now() - this.viewAt > 120);
     if (views !== this.lastViews) {
       // The program has begun the next view: the eye of this one is that of the last frame.
-      this.view = {eye: (this.begun ? this.next : this.where()).slice(0, 3), scale: this.begun ? this.next[3] : this.where()[3], views};
+      const [x, y, z, scale, angle] = this.begun ? this.next : this.where();
+      this.view = {eye: [x, y, z], scale, angle, views};
       this.lastViews = views;
       this.sight();
     }
@@ -540,7 +546,7 @@ export class Pdp7Tab {
     this.begun = true;
   }
 
-  // The eye and the scale of the view that is being computed.
+  // The eye, the scale and, with rotation, the angle of the view that is being computed.
   where() {
     const {module, id, labels, next} = this;
     const signed = at => { const word = module.word(id, at); return word & 0o400000 ? word - 0o1000000 : word; };
@@ -548,6 +554,7 @@ export class Pdp7Tab {
     next[1] = signed(labels.ey);
     next[2] = signed(labels.ez);
     next[3] = module.word(id, labels.scale);
+    next[4] = labels.angle ? module.word(id, labels.angle) : undefined;
     return next;
   }
 
@@ -556,7 +563,7 @@ export class Pdp7Tab {
     this.lines = null;
     if (this.options.exact && this.turns && this.id) this.lines = this.turning.lines();
     if (this.options.exact && this.labels && this.view) {
-      const answer = this.module.ask({do: 'sight', scene: this.options.program, eye: this.view.eye, scale: this.view.scale, stereo: this.options.stereo});
+      const answer = this.module.ask({do: 'sight', scene: this.options.program, eye: this.view.eye, scale: this.view.scale, angle: this.view.angle, stereo: this.options.stereo});
       if (answer.lines) this.lines = answer.lines;
     }
     if (!watched) this.watchedFrom = this.time;
@@ -646,7 +653,7 @@ export class Pdp7Tab {
       const stops = this.module.word(this.id, this.labels.stops), status = this.module.word(this.id, this.labels.status);
       rows.push(['Walk', status === 7 ? 'the eye is in no cell' : stops ? `a wall stops the eye along ${['x', 'y', 'z'].filter((_, axis) => stops >> axis & 1).join(', ')}` : 'free']);
     }
-    if (this.view) rows.push(['View', `${this.view.views}, eye ${this.view.eye.join(' ')}, scale ${this.view.scale}`]);
+    if (this.view) rows.push(['View', `${this.view.views}, eye ${this.view.eye.join(' ')}, scale ${this.view.scale}${this.view.angle === undefined ? '' : `, ${this.view.angle} degrees`}`]);
     this.facts.show(rows);
   }
 
@@ -667,6 +674,7 @@ export class Pdp7Tab {
     if (o.switches) parts.set('switches', o.switches.toString(8));
     if (!o.eae) parts.set('eae', '0');
     if (o.through) parts.set('through', '1');
+    if (o.rotate) parts.set('rotate', '1');
     if (o.stereo) parts.set('stereo', '1');
     if (o.immediate) parts.set('immediate', '1');
     if (o.exact) parts.set('exact', '1');
@@ -679,12 +687,14 @@ export class Pdp7Tab {
   open(part, query) {
     const o = this.options;
     const program = part ? named('program', part, [...this.programs.select.options].map(each => each.value), query) : o.program;
-    const given = optionsOf(query, {switches: octal(6), eae: flag, through: flag, stereo: flag, immediate: flag, exact: flag, scale: number(64, 4096), glow: oneOf(Object.keys(AFTERGLOWS))});
-    Object.assign(o, {switches: 0, eae: true, through: false, stereo: false, immediate: false, exact: false, scale: 512, glow: 'p7', ...given, program});
+    const given = optionsOf(query, {switches: octal(6), eae: flag, through: flag, rotate: flag, stereo: flag, immediate: flag, exact: flag, scale: number(64, 4096), glow: oneOf(Object.keys(AFTERGLOWS))});
+    Object.assign(o, {switches: 0, eae: true, through: false, rotate: false, stereo: false, immediate: false, exact: false, scale: 512, glow: 'p7', ...given, program});
+    if (o.rotate) o.through = true;
     this.scale.input.value = o.scale;
     this.programs.select.value = o.program;
     this.eae.box.checked = o.eae;
     this.through.box.checked = o.through;
+    this.rotate.box.checked = o.rotate;
     this.stereo.box.checked = o.stereo;
     this.immediate.box.checked = o.immediate;
     this.exact.box.checked = o.exact;

@@ -35,10 +35,17 @@ auto Search<Number>::run() && -> View {
 
 template <class Number>
 SpacePoint Search<Number>::stereo_eye(std::int32_t shift) const {
-  const std::int32_t low = core_.number(header_ + 5);
-  const std::int32_t high = core_.number(header_ + 6);
   SpacePoint eye = parameters_.eye;
-  eye.x = std::min(std::max(wrapped(std::int64_t{eye.x} + shift), low), high);
+  const auto limited = [&](std::int32_t value, std::uint32_t word) {
+    return std::min(std::max(value, core_.number(header_ + word)), core_.number(header_ + word + 1));
+  };
+  if (!parameters_.direction) {
+    eye.x = limited(wrapped(std::int64_t{eye.x} + shift), 5);
+    return eye;
+  }
+  const auto [x, z] = TurnedSteps().take(*parameters_.direction, shift, 0);
+  eye.x = limited(wrapped(std::int64_t{eye.x} + x), 5);
+  eye.z = limited(wrapped(std::int64_t{eye.z} + z), 9);
   return eye;
 }
 
@@ -59,6 +66,7 @@ bool Search<Number>::pass(Pass which, SpacePoint eye) {
   eye_ = eye;
   window_ = window_of(which, parameters_.scale, number_.fraction_bits(), number_.word_bits());
   if (!fits(window_, number_.fraction_bits(), number_.word_bits())) return fail(Status::arithmetic_overflow);
+  if (parameters_.direction) turned_.emplace(*parameters_.direction, window_, ShortWords(machine_word_bits, parameters_.fraction_bits, parameters_.truncate));
   if (!visit(core_[header_].field(5, 17), window_mask<Coordinate>(window_), no_entry)) return false;
   while (!levels_.empty()) {
     Level& top = levels_.back();
@@ -90,6 +98,7 @@ bool Search<Number>::visit(std::uint32_t cell, const Mask& mask, std::uint32_t e
 
 template <class Number>
 bool Search<Number>::walk(const Chain& chain, Outline* outline) {
+  if (turned_) return walk_turned(chain, outline);
   SpacePoint point = chain.origin;
   projected_last_.reset();
   if (outline && !append_corner(*outline, outline->bound.into_bound(point))) return false;
@@ -142,6 +151,11 @@ bool Search<Number>::draw(const SpaceSegment& moved, Axis axis, std::uint32_t ve
   BasicScreenSegment<Coordinate> line;
   enter(number_, Rounding::line_ends);
   if (!project_point(part->p, line.a) || !project_point(part->q, line.b)) return false;
+  return draw_through_mask(line, vector_address);
+}
+
+template <class Number>
+bool Search<Number>::draw_through_mask(const BasicScreenSegment<Coordinate>& line, std::uint32_t vector_address) {
   ++view_.counts.lines_clipped;
   const auto left = MaskClip(number_, view_.counts.operations).clip2(levels_.back().mask, line);
   if (!sound()) return false;
@@ -178,10 +192,12 @@ bool Search<Number>::opening(std::uint32_t far_word_address) {
   if (!chain_at(element, chain)) return false;
   RingScan facts;
   if (!scan(chain, towards_higher, facts)) return false;
-  if (!facts.crossing) return !facts.actual_lines || walk(chain, nullptr);
-  ++view_.counts.openings_crossing;
-  Outline outline{RingBound(facts.plane, facts.distance, window_.bound_factor, number_.largest()), {}};
+  if (facts.crossing) ++view_.counts.openings_crossing;
+  if (!facts.crossing && !turned_) return !facts.actual_lines || walk(chain, nullptr);
+  Outline outline{RingBound(facts.plane, facts.distance, window_.bound_factor, number_.largest()), {}, {}, beyond_none};
   if (!walk(chain, &outline)) return false;
+  if (turned_ && facts.actual_lines && !walk(chain, nullptr)) return false;
+  if (!facts.crossing) return true;
   outline.polygon.close();
   if (outline.polygon.points().size() < 3) return true;
   return go_through(far_word.field(5, 17), element, outline.polygon, facts.counter_clockwise);
@@ -205,7 +221,7 @@ bool Search<Number>::scan(const Chain& ring, bool towards_higher, RingScan& fact
   facts.plane = Axis{static_cast<std::uint8_t>(normal)};
   facts.distance = ring.origin.*coordinate(normal);
   facts.crossing = towards_higher ? facts.distance > 0 : facts.distance < 0;
-  if (facts.plane == Axis::z) facts.crossing = towards_higher && facts.distance >= near_z;
+  if (facts.plane == Axis::z && !turned_) facts.crossing = towards_higher && facts.distance >= near_z;
   facts.counter_clockwise = positive == towards_higher;
   return true;
 }
@@ -223,6 +239,72 @@ bool Search<Number>::append_side(Outline& outline, const SpaceSegment& moved, Ax
   const auto bend = axis == Axis::z ? outline.bound.bend(moved) : std::nullopt;
   if (bend && !append_corner(outline, *bend)) return false;
   return last || append_corner(outline, outline.bound.into_bound(moved.q));
+}
+
+// A view turned about the vertical.
+
+template <class Number>
+bool Search<Number>::walk_turned(const Chain& chain, Outline* outline) {
+  SpacePoint point = chain.origin;
+  TurnedPlace place = turned_->moved(turned_->moved({}, Axis::x, point.x), Axis::z, point.z);
+  std::optional<SeenCorner> seen;  // the corner at `point`, if anything has asked for it
+  for (std::uint32_t i = 0; i < chain.count; ++i) {
+    const std::uint32_t address = chain.first() + i;
+    const Vector vector(core_[address]);
+    const bool needed = outline != nullptr || vector.actual_line;
+    if (vector.axis_code != 0 && needed && !seen && !(seen = turned_->corner(place, point.y))) return fail(Status::arithmetic_overflow);
+    SpaceSegment moved;
+    if (!move(point, vector, moved)) return false;
+    const Axis axis = axis_of(vector);
+    place = turned_->moved(place, axis, vector.magnitude);
+    const std::optional<SeenCorner> before = std::exchange(seen, std::nullopt);
+    if (!needed) continue;
+    if (!(seen = turned_->corner(place, point.y))) return fail(Status::arithmetic_overflow);
+    if (axis == Axis::y) {
+      if (seen->beyond == beyond_none && !outline && !draw_turned(before->place, seen->place, address)) return false;
+      continue;
+    }
+    const auto level = turned_->level(axis, point, *before, *seen);
+    if (!level) continue;
+    const ScreenPoint& from = level->bend && level->a.drawn_back ? *level->bend : level->a.place;
+    const ScreenPoint& to = level->bend && level->b.drawn_back ? *level->bend : level->b.place;
+    if (!outline && !draw_turned(from, to, address)) return false;
+    if (outline && !append_turned(*level, point.y, *outline)) return false;
+  }
+  return !outline || append_round(outline->came.value_or(beyond_none), point.y, *outline);
+}
+
+template <class Number>
+bool Search<Number>::draw_turned(const ScreenPoint& a, const ScreenPoint& b, std::uint32_t vector_address) {
+  const auto end = [](const ScreenPoint& p) { return Point{static_cast<Coordinate>(p.x), static_cast<Coordinate>(p.y)}; };
+  return draw_through_mask({end(a), end(b)}, vector_address);
+}
+
+template <class Number>
+bool Search<Number>::append(const ScreenPoint& corner, Outline& outline) {
+  return outline.polygon.append({static_cast<Coordinate>(corner.x), static_cast<Coordinate>(corner.y)}) || fail(Status::too_many_mask_vertices);
+}
+
+template <class Number>
+bool Search<Number>::append_turned(const SeenLevel& seen, std::int32_t y, Outline& outline) {
+  if (!outline.came) {
+    outline.came = seen.a.beyond;
+  } else if (!append_round(seen.a.beyond, y, outline)) {
+    return false;
+  }
+  if (!append(seen.a.place, outline)) return false;
+  if (seen.bend && !append(*seen.bend, outline)) return false;
+  outline.left = seen.b.beyond;
+  return append(seen.b.place, outline);
+}
+
+// Where the outline has gone round the eye, from one side of the view to another: the corners of the bound between them.
+template <class Number>
+bool Search<Number>::append_round(unsigned side, std::int32_t y, Outline& outline) {
+  if (side == beyond_none || outline.left == beyond_none || side == outline.left) return true;
+  for (const unsigned at : {outline.left, side})
+    if (at != beyond_eye && !append(turned_->bound_corner(at, y), outline)) return false;
+  return true;
 }
 
 template <class Number>

@@ -54,6 +54,9 @@ class Search {
   struct Outline {
     RingBound bound;
     PolygonBuilder polygon;
+    // Only in a turned view: the sides by which the outline came into the view first and left it last.
+    std::optional<unsigned> came;
+    unsigned left = beyond_none;
   };
   struct Level {
     Mask mask;
@@ -69,6 +72,13 @@ class Search {
   bool walk(const Chain& chain, Outline* outline);
   bool move(SpacePoint& point, Vector vector, SpaceSegment& moved);
   bool draw(const SpaceSegment& moved, Axis axis, std::uint32_t vector_address);
+  bool draw_through_mask(const BasicScreenSegment<Coordinate>& line, std::uint32_t vector_address);
+  // The same for a view turned about the vertical; draws nothing if it collects the outline.
+  bool walk_turned(const Chain& chain, Outline* outline);
+  bool draw_turned(const ScreenPoint& a, const ScreenPoint& b, std::uint32_t vector_address);
+  bool append_turned(const SeenLevel& seen, std::int32_t y, Outline& outline);
+  bool append_round(unsigned side, std::int32_t y, Outline& outline);
+  bool append(const ScreenPoint& corner, Outline& outline);
   bool append_corner(Outline& outline, const SpacePoint& corner);
   bool append_side(Outline& outline, const SpaceSegment& moved, Axis axis, bool last);
   bool opening(std::uint32_t far_word_address);
@@ -101,6 +111,7 @@ class Search {
   Pass pass_ = Pass::mono;
   SpacePoint eye_;
   Window window_;
+  std::optional<RotatedView> turned_;
   std::optional<SpacePoint> projected_last_;  // within one chain
   std::uint64_t spent_ = 0;
 };

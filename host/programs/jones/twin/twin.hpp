@@ -1,5 +1,5 @@
 // Native twin of Jones's program on the PDP-7: the same display words and the same status for every scene, view, mode and
-// build, written only from firmware/pdp7/jones/SPECIFICATION.md (sections 1, 4, 5 and 7). It reads the data elements from
+// build, written only from firmware/pdp7/jones/SPECIFICATION.md (sections 1, 4, 5, 7 and 10). It reads the data elements from
 // an image of core, as the machine does, and uses no code of the emulator.
 //
 // Left out: time, and everything between views (section 6: switches, clock, the two display files). The search is Jones
@@ -7,12 +7,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "emulators/core/word.hpp"
 #include "host/programs/jones/specification.hpp"
 #include "host/programs/jones/twin/arithmetic.hpp"
+#include "host/programs/jones/twin/rotation.hpp"
 
 namespace sightline::programs::jones {
 
@@ -24,6 +26,7 @@ struct Parameters {
   std::uint64_t limit = 100'000'000;          // vectors and list entries examined before the twin gives up
   int fraction_bits = machine_fraction_bits;  // 0..3: -D FRACTION of the program
   bool truncate = false;                      // -D TRUNCATE
+  std::optional<Direction> direction;         // of the view: -D ROTATE
 };
 // Eye of the scene header; scale 512, mono.
 [[nodiscard]] Parameters default_parameters(std::span<const core::Word18> core, std::uint32_t scene_header);

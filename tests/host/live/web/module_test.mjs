@@ -83,6 +83,16 @@ for (const walk of [false, true]) {
   ask({do: 'drop', id: made.id});
 }
 
+// --- With rotation the switches turn, and lead where the view looks.
+{
+  const made = ask({do: 'jones', scene: 'house', rotation: true, switches: 0o021000});
+  module.run(made.id, 3e9);
+  const [x, angle, status] = ['ex', 'angle', 'status'].map(name => module.word(made.id, made.labels[name]));
+  check(x < 470 && angle > 180 && angle < 300 && status === 0, `house, turning: x ${x}, ${angle} degrees, status ${status}`);
+  ask({do: 'drop', id: made.id});
+  check(module.ask({do: 'jones', scene: 'street4', rotation: true}).error?.includes('words too many'), 'a scene too large for the program with rotation is refused');
+}
+
 // --- A snapshot of the command continues in a machine with its configuration: saved again it has the same bytes, immediately and
 // later.
 writeFileSync(join(folder, 'bare.oct'), '00100: 060110 600100\n');
@@ -108,8 +118,9 @@ const spread = (x, y, visit) => {
   for (let dy = -1; dy <= 1; ++dy) for (let dx = -1; dx <= 1; ++dx) visit(256 * ((y >> 2) + dy) + (x >> 2) + dx);
 };
 for (const scene of ['house', 'roberts', 'street4', 'corridor8', 'corridor32']) {
-  for (const stereo of [false, true]) {
-    const made = ask({do: 'jones', scene, stereo});
+  for (const [stereo, angle] of [[false], [true], [false, 325], [true, 20]]) {
+    if (angle !== undefined && scene === 'street4') continue;  // too large for the program with rotation
+    const made = ask({do: 'jones', scene, stereo, rotation: angle !== undefined, angle});
     const until = 3.5e9;
     const lit = new Set();
     for (let at = 0; at <= until; at += 5e7) {
@@ -118,7 +129,7 @@ for (const scene of ['house', 'roberts', 'street4', 'corridor8', 'corridor32']) 
       for (let i = 0; i < flashes.count; ++i) if (flashes.time(i) > until - 3e8) lit.add(256 * (flashes.y(i) >> 2) + (flashes.x(i) >> 2));
     }
     const eye = ['ex', 'ey', 'ez'].map(name => { const word = module.word(made.id, made.labels[name]); return word & 0o400000 ? word - 0o1000000 : word; });
-    const {lines} = ask({do: 'sight', scene, eye, scale: module.word(made.id, made.labels.scale), stereo});
+    const {lines} = ask({do: 'sight', scene, eye, scale: module.word(made.id, made.labels.scale), angle: angle && module.word(made.id, made.labels.angle), stereo});
     const covered = new Set();
     let places = 0, missing = 0;
     for (const [x0, y0, x1, y1] of lines) {
@@ -132,7 +143,7 @@ for (const scene of ['house', 'roberts', 'street4', 'corridor8', 'corridor32']) 
       }
     }
     const extra = [...lit].filter(block => !covered.has(block)).length;
-    check(places > 500 && missing === 0 && extra === 0, `${scene}${stereo ? ', a pair' : ''}: ${missing} of ${places} places of exact lines are dark, ${extra} beside them are lit`);
+    check(places > 500 && missing === 0 && extra === 0, `${scene}${stereo ? ', a pair' : ''}${angle ? `, turned by ${angle}` : ''}: ${missing} of ${places} places of exact lines are dark, ${extra} beside them are lit`);
     ask({do: 'drop', id: made.id});
   }
 }

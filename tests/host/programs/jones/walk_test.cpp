@@ -226,7 +226,7 @@ TEST_P(JonesWalk, DrawsWhatTheProgramWithoutItDraws) {
   Dice dice(7);
   Order order;
   order.check = true;
-  for (int n = 0; n < random_views; ++n) order.walk.push_back(random_step(dice));
+  for (int n = 0; n < random_views; ++n) order.walk.push_back({random_step(dice)});
   const auto outcome = walking->run(order);
   ASSERT_TRUE(outcome) << outcome.error().message();
   ASSERT_EQ(outcome->views.size(), order.walk.size() + 1);
@@ -407,7 +407,7 @@ TEST_F(JonesWalkInTheHouse, StereoPairsKeepTheirEyesInTheCell) {
   Order order;
   order.stereo = true;
   order.check = true;
-  order.walk = {{-100, -40, 600}, {-128, 0, 0}, {-3, 0, 0}};
+  order.walk = {{{-100, -40, 600}}, {{-128, 0, 0}}, {{-3, 0, 0}}};
   const auto outcome = walking->run(order);
   EXPECT_TRUE(outcome) << outcome.error().message();
 }
@@ -484,7 +484,15 @@ TEST(JonesWalkTape, NotesStateTheWords) {
 TEST(JonesWalkPath, ReadsSteps) {
   const auto walk = read_walk(" in 100,right 50  up 20 , out 0,left 65535 down 1 in 2");
   ASSERT_TRUE(walk) << walk.error().message();
-  EXPECT_EQ(*walk, (std::vector<Steps>{{0, 0, 100}, {50, 20, 0}, {0, 0, 0}, {-65535, -1, 2}}));
+  EXPECT_EQ(*walk, (std::vector<Move>{{{0, 0, 100}}, {{50, 20, 0}}, {{0, 0, 0}}, {{-65535, -1, 2}}}));
+}
+
+TEST(JonesWalkPath, ReadsTurns) {
+  const auto walk = read_walk("turn-left 30 in 100, turn-right 360, up 2 turn-left 0");
+  ASSERT_TRUE(walk) << walk.error().message();
+  EXPECT_EQ(*walk, (std::vector<Move>{{{0, 0, 100}, -30}, {{}, 360}, {{0, 2, 0}, 0}}));
+  EXPECT_TRUE(has_turn(*walk));
+  EXPECT_FALSE(has_turn(std::vector<Move>{{{1, 2, 3}}}));
 }
 
 TEST(JonesWalkPath, NamesWhatIsWrong) {
@@ -497,7 +505,10 @@ TEST(JonesWalkPath, NamesWhatIsWrong) {
                                                                                      {"in -5", "found \"in -5\""},
                                                                                      {"in 65536", "found \"in 65536\""},
                                                                                      {"in 5 up", "found \"up\""},
-                                                                                     {"in 5 out 5", "\"out\" is a second direction along z"}}) {
+                                                                                     {"in 5 out 5", "\"out\" is a second direction along z"},
+                                                                                     {"turn-left 361", "found \"turn-left 361\""},
+                                                                                     {"turn 5", "found \"turn\""},
+                                                                                     {"turn-left 5 turn-right 5", "\"turn-right\" is a second turn"}}) {
     const auto walk = read_walk(text);
     ASSERT_FALSE(walk) << text;
     EXPECT_NE(walk.error().message().find(found), std::string::npos) << walk.error().message();
