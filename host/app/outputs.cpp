@@ -45,6 +45,10 @@ void write_png(Output& output, const picture::Image& image, const picture::TextE
   output.write(std::span<const std::uint8_t>(*bytes));
 }
 
+void report_equal(const std::string& name) {
+  print_message(fmt::format("{}: checked: equal to the same program in C++", name));
+}
+
 void make_directory(const std::string& directory) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);

@@ -34,6 +34,9 @@ void write_png(Output& output, const picture::Image& image, const picture::TextE
 // The name of a scene or model as part of a file name: every character except letters, digits, - and _ becomes _.
 [[nodiscard]] std::string file_stem(const std::string& name);
 
+// The message of --check when nothing differs, on standard error: what the machine made equals what the same program in C++ makes.
+void report_equal(const std::string& name);
+
 // Creates a directory with its parents, unless it exists. Error io.
 void make_directory(const std::string& directory);
 

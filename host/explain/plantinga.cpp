@@ -20,6 +20,7 @@
 #include "host/algorithms/plantinga/trace.hpp"
 #include "host/algorithms/plantinga/turning_scene.hpp"
 #include "host/algorithms/plantinga/visible_edges.hpp"
+#include "host/explain/other_turns.hpp"
 #include "host/explain/stage.hpp"
 #include "host/explain/turn_stage.hpp"
 
@@ -671,6 +672,7 @@ base::Result<Lesson> explain_plantinga(const scene::PolyScene& scene, const scen
   static_cast<void>(graph.turn_to(angle));
   recorder.turn(*list, graph);
   recorder.finish(picture);
+  add_other_turns(model, stage, circle, steps);
   return lesson;
 }
 

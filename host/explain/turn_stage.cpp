@@ -53,7 +53,7 @@ TurnStage::TurnStage(const pl::RotationModel& model, const scene::PolyCamera& ca
 
 Sheet TurnStage::image_sheet() const {
   const double margin = 0.04 * std::max(2 * reach_, high_ - low_);
-  return {"The image, in parallel projection", {-reach_ - margin, low_ - margin}, {reach_ + margin, high_ + margin}};
+  return {"The image", {-reach_ - margin, low_ - margin}, {reach_ + margin, high_ + margin}};
 }
 
 Point TurnStage::in_image(double u, double v, double angle) const {
@@ -210,6 +210,14 @@ std::vector<Mark> TurnStage::view(const pl::EdgeStructureGraph& graph, double an
   std::vector<Mark> marks;
   for (const pl::ImageLine& each : lines)
     marks.push_back(line(Look::seen, {in_image(each.u0, each.v0, angle), in_image(each.u1, each.v1, angle)}));
+  return marks;
+}
+
+std::vector<Mark> TurnStage::fitted(Look look, const std::vector<pl::ImageLine>& lines, double radius) const {
+  const double scale = std::min(1.0, std::min(reach_, (high_ - low_) / 2) / radius);
+  const auto at = [&](double u, double v) { return Point{handedness_ * scale * u, (low_ + high_) / 2 + scale * v}; };
+  std::vector<Mark> marks;
+  for (const pl::ImageLine& each : lines) marks.push_back(line(look, {at(each.u0, each.v0), at(each.u1, each.v1)}));
   return marks;
 }
 

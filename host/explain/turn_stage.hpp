@@ -39,6 +39,9 @@ class TurnStage {
   [[nodiscard]] std::vector<Mark> view(const pl::EdgeStructureGraph& graph, double angle);
   [[nodiscard]] std::vector<Mark> seen(const picture::LinePicture& drawn, double angle) const;
 
+  // Lines of a turn about any axis (plantinga::ImageLine) whose image is within `radius`, made small enough for the sheet.
+  [[nodiscard]] std::vector<Mark> fitted(Look look, const std::vector<pl::ImageLine>& lines, double radius) const;
+
   // The circle.
   [[nodiscard]] std::vector<Mark> plan() const;
   void add_edge_to_plan(std::vector<Mark>& marks, Look look, pl::EdgeIndex edge) const;

@@ -398,6 +398,15 @@ class I8080Run final : public Machine, private core::KeyPollListener {
         warnings.push_back(fmt::format("{}: the last {} bytes from the program were not kept", info->name, host->left_out()));
     }
     for (std::string& warning : early_warnings_left()) warnings.push_back(std::move(warning));
+    if (machine_->registers().halted && machine_->registers().interrupts_on) {
+      std::string lines;
+      for (const auto& [info, device] : machine_->devices()) {
+        if (machine_->is_connected(*device)) continue;
+        for (const std::string_view line : info->lines) lines += fmt::format("{}{}", lines.empty() ? "" : ", ", line);
+      }
+      if (!lines.empty())
+        warnings.push_back(fmt::format("HLT waits for an interrupt, and a device here is not wired to one: --interrupt LINE=N, with LINE of {} and N of 0 to 7", lines));
+    }
     if (console_left_out_ != 0) {
       warnings.push_back(
           fmt::format("the report's \"console\" lacks the last {} bytes printed; --console-out FILE takes all",

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -33,6 +34,7 @@ constexpr std::string_view flight_8 =
 constexpr std::string_view flight_16 = "With coordinates of 16 bits it reaches # times (worst #), or # times (worst #) for the 92 nearest pieces";
 constexpr std::string_view flight_facing = "all # pieces with 16 bits are shown # times (worst #; `--bits 16 --facing`)";
 constexpr std::string_view normals = "wrong: # of # pairs contradict it";
+constexpr std::string_view baselines = "a frame has # to # points on lines of sight for each distance, but only # to # nodes of a BSP tree";
 constexpr std::string_view pairs = "that product grows with the power # to # of the number of faces";
 constexpr std::string_view stripes = "which have sixty visible faces, on a raster board in # s, and twenty touching bricks in # s";
 constexpr std::string_view lines = "| lines, 60 slices of 33 points | # to # | # to # | # to # | # to # |";
@@ -45,7 +47,7 @@ constexpr std::string_view block = "| block of # edges | #, # | # | #, # | # |";
 constexpr std::string_view roberts = "| roberts, a notched block of # edges | #, # | # | #, # | # |";
 constexpr std::string_view star = "| star of # edges | #, # | # | #, # | # |";
 constexpr std::array sentences{default_views, default_errors, random_times, random_errors, flight_8,   flight_16,
-                               flight_facing, normals,       pairs,          stripes,      lines,         long_lines, surfaces,
+                               flight_facing, normals,       baselines,      pairs,          stripes,      lines,         long_lines, surfaces,
                                contours,      contour_dots,   events,       roberts,       block,         star};
 
 std::string replaced(const std::string& text, const char* pattern, const char* by) {
@@ -273,6 +275,10 @@ TEST_F(ReadmeFigures, FromTheReport) {
   };
   expect_figures(events, both(row("plantinga-claims", "unit", "events an edge")));
   expect_figures(pairs, both(row("montani-re-paper", "unit", "exponent of N Y over N")));
+  const json points = row("willis-paper", "unit", "points, distances");
+  Figures of_distances = both(row("willis-paper", "unit", "nodes, distances"));
+  of_distances.insert(of_distances.begin(), {count(std::lround(points.at("here_least").get<double>())), count(std::lround(points.at("here_greatest").get<double>()))});
+  expect_figures(baselines, of_distances);
   std::smatch found;
   const std::string contradicted =
       replaced(row("willis-paper", "says", "their normals").at("comparison").get<std::string>(), "\u202f", "");

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "host/scene/heights/subdivide.hpp"
+
 namespace sightline::algorithms::skala {
 namespace {
 
@@ -117,6 +119,14 @@ Family resolved_family(const View& view) {
   if (view.family != Family::automatic) return view.family;
   const auto [sine, cosine] = turn_of(view.rotation);
   return std::abs(cosine) >= std::abs(sine) ? Family::along_x : Family::along_z;
+}
+
+Family smoothed_family(const View& view) {
+  return view.subject == Subject::lines ? resolved_family(view) : Family::both;
+}
+
+base::Result<scene::HeightGrid> finer_mesh(const scene::HeightGrid& grid, std::size_t parts, Family along) {
+  return scene::subdivided(grid, {along == Family::along_z ? 1 : parts, along == Family::along_x ? 1 : parts});
 }
 
 Surface::Surface(const scene::HeightGrid& grid, const View& view, Family family, std::span<const scene::HeightGrid> sharing)

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "host/algorithms/skala/view.hpp"
+#include "host/base/result.hpp"
 #include "host/scene/heights/grid.hpp"
 
 namespace sightline::algorithms::skala {
@@ -89,5 +90,9 @@ class Surface {
 
 // The given family if it is along_x, along_z or both; otherwise the family that is less end-on.
 [[nodiscard]] Family resolved_family(const View& view);
+// The slices along which a finer mesh is smooth without more of them: those of a picture of lines along one axis; otherwise both.
+[[nodiscard]] Family smoothed_family(const View& view);
+// Each cell in `parts` parts along the slices of one family, or in `parts` by `parts`. Errors as of scene::subdivided.
+[[nodiscard]] base::Result<scene::HeightGrid> finer_mesh(const scene::HeightGrid& grid, std::size_t parts, Family along);
 
 }  // namespace sightline::algorithms::skala

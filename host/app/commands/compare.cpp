@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/algorithms/skala/surface.hpp"
 #include "host/app/commands/answer_output.hpp"
 #include "host/app/commands/commands.hpp"
 #include "host/app/commands/compare_output.hpp"
@@ -223,7 +224,7 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
   view.family = family_of(arguments.slices);
   if (arguments.levels) view.levels = *arguments.levels;
   if (source.expression.empty()) reject_case_inputs(name);
-  const SkalaFunction function = load_skala_function(source, usual_grid_size(view.subject));
+  const SkalaFunction function = load_skala_function(source, usual_grid_size(view.subject), algorithms::skala::smoothed_family(view));
   if (const auto reason = compare::why_not_comparable(function.grid, view))
     throw base::bad_input(fmt::format("{}: {}; `sightline skala --check` draws it and compares it with its twin", name, *reason));
   const auto compare_view = [&](const algorithms::skala::View& of, std::uint64_t number, const compare::CompareProgress& step) {

@@ -34,7 +34,8 @@ DemoResults run_parts(const DemoArguments& arguments) {
   const std::vector<std::function<void()>> parts{[&] { results.jones = run_jones_demo(arguments.directory); },
                                                  [&] { results.skala = run_skala_demo(arguments.directory); },
                                                  [&] { results.walks = run_walks(arguments.directory); },
-                                                 [&] { results.turns = run_turns(); }, [&] { results.flights = run_flights(); },
+                                                 [&] { results.turns = run_turns(); }, [&] { results.circles = run_circles(arguments.directory); },
+                                                 [&] { results.flights = run_flights(); },
                                                  [&] { results.stripes = run_stripes_demo(arguments.directory); }};
   base::OrderedWork<bool> work;
   work.last = parts.size();
@@ -56,6 +57,7 @@ std::vector<std::pair<std::string, std::string>> tables_of(const DemoResults& re
   return {{"Jones 1971 on the PDP-7 with a Type 340 display", jones_table(results.jones)},
           {"A walk from cell to cell on the PDP-7, which Jones 1971 left out", walk_table(results.walks)},
           {"A solid turning on the PDP-7, after Plantinga, Seales and Dyer 1990", turn_table(results.turns)},
+          {"A solid turning about other axes and in perspective, on this computer", circle_table(results.circles)},
           {"A flight on the 8080 with the priority display, after Willis 1977", demo_flight_table(results.flights)},
           {"Skala 1985 on the 8080 with an EF9365 raster board", skala_demo_table(results.skala)},
           {"Montani and Re 1985 on the 8080: scenes in stripes", stripes_demo_table(results.stripes)}};
@@ -80,6 +82,7 @@ Json document_of(const DemoArguments& arguments, const DemoResults& results, con
   add_jones_rows(document, results.jones);
   add_walks(document, results.walks);
   add_turns(document, results.turns);
+  add_circles(document, results.circles);
   add_flights(document, results.flights);
   add_skala_demo(document, results.skala);
   add_stripes_demo(document, results.stripes);
@@ -105,7 +108,8 @@ ExitCode run_demo(const DemoArguments& arguments) {
     print_message(fmt::format("{}: the view stopped: {}", row.scene, programs::jones::name(row.view.status)));
     code = ExitCode::guest_failed;
   }
-  if (!results.answer.agrees()) {
+  const bool circles = std::all_of(results.circles.begin(), results.circles.end(), [](const CircleRow& row) { return row.right == row.frames; });
+  if (!results.answer.agrees() || !circles) {
     print_message("an exact algorithm is not exact, or a program on its machine differs from the same program in C++: see above");
     code = ExitCode::differs;
   }

@@ -332,10 +332,18 @@ PageGallery stripes_gallery(const DemoResults& results) {
   return gallery;
 }
 
+PageGallery circle_gallery(const DemoResults& results) {
+  PageGallery gallery{"Plantinga, Seales and Dyer 1990: turns about other axes and in perspective, on this computer", 3, "", {}};
+  for (const CircleRow& row : results.circles)
+    gallery.figures.push_back({row.file, fmt::format("{} {}: {} events in a turn; {} of {} frames as computed from scratch", row.model, row.view,
+                                                     row.events, row.right, row.frames)});
+  return gallery;
+}
+
 }  // namespace
 
 std::vector<PageGallery> demo_galleries(const std::string& directory, const DemoResults& results) {
-  return {jones_gallery(directory, results), skala_gallery(directory, results), stripes_gallery(results)};
+  return {jones_gallery(directory, results), skala_gallery(directory, results), stripes_gallery(results), circle_gallery(results)};
 }
 
 std::string demo_page(const DemoPage& page, const DemoAnswer& answer) {

@@ -3,13 +3,20 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
 #include <set>
 #include <string_view>
 #include <utility>
 
+#include "host/algorithms/registry/turns.hpp"
 #include "host/app/commands/jones_pictures.hpp"
+#include "host/app/commands/turn_sheet.hpp"
 #include "host/app/outputs.hpp"
 #include "host/app/scene_argument.hpp"
+#include "host/base/value_of.hpp"
+#include "host/picture/apng.hpp"
 #include "host/programs/jones/known_walks.hpp"
 #include "host/scene/read/builtin.hpp"
 
@@ -158,6 +165,71 @@ void add_turns(Json& document, const std::vector<TurnRow>& rows) {
                                  {"wire_frames_per_second_mean", row.outcome.wire.summary.frames_per_second_mean},
                                  {"cost_against_wire_frame", row.outcome.cost_against_wire_frame()}});
   }
+}
+
+namespace {
+
+double length_of(const std::vector<registry::TurnLine>& lines) {
+  double length = 0;
+  for (const registry::TurnLine& line : lines) length += std::hypot(line.u1 - line.u0, line.v1 - line.v0);
+  return length;
+}
+
+// A turn about the middle of the scene.
+CircleRow run_circle(const std::string& directory, const std::string& model, const std::string& name, const std::string& view, registry::EyeCircle circle) {
+  constexpr int frames = 60;
+  constexpr int pixels = 320;
+  const scene::PolyScene scene = load_scene(model).scene;
+  const scene::PolyPoint middle = scene::bounds_of(scene).middle();
+  circle.about = {middle[0], middle[1], middle[2]};
+  CircleRow row{model, view, fmt::format("{}-{}.apng", file_stem(model), name)};
+  const registry::TurnOptions options{.circle = circle};
+  const auto turn = value_of(registry::find_turn_method("plantinga")->prepare(scene, options), model);
+  const auto scratch = value_of(registry::find_turn_method("exact")->prepare(scene, options), model);
+  for (const registry::TurnCount& count : turn.counts) {
+    if (count.name == "edges") row.edges = count.value;
+    if (count.name == "events") row.events = count.value;
+  }
+  const TurnSheet sheet(scene, pixels, circle);
+  picture::ApngWriter apng({1, 15});
+  std::vector<registry::TurnLine> lines;
+  std::vector<registry::TurnLine> exact;
+  for (; row.frames < frames; ++row.frames) {
+    // Not at whole quarters of a turn, where faces are seen edge-on.
+    const double angle = 2 * std::numbers::pi * (row.frames + 0.5) / frames;
+    turn.visible(angle, lines);
+    scratch.visible(angle, exact);
+    // The exact method draws from an eye on the grid of the scene.
+    const double allowed = 1e-3 * length_of(exact);
+    row.right += std::abs(length_of(lines) - length_of(exact)) <= allowed ? 1 : 0;
+    base::value_of(apng.add(sheet.image_of(lines)), row.file);
+  }
+  Output output((std::filesystem::path(directory) / row.file).string());
+  output.write(base::value_of(apng.finish(), row.file));
+  output.commit();
+  return row;
+}
+
+}  // namespace
+
+std::vector<CircleRow> run_circles(const std::string& directory) {
+  // Eyes far enough that a step of the grid is a small angle.
+  return {run_circle(directory, "roberts", "axis", "about 1,3,0", {.axis = {1, 3, 0}, .eye = {0, 0, 1 << 20}}),
+          run_circle(directory, "roberts", "perspective", "from above, in perspective", {.eye = {0, 300, 900}, .perspective = true})};
+}
+
+std::string circle_table(const std::vector<CircleRow>& rows) {
+  std::string text = fmt::format("{:<11}{:<30}{:>7}{:>8}{:>8}{:>20}\n", "model", "turn", "edges", "events", "frames", "as from scratch");
+  for (const CircleRow& row : rows)
+    text += fmt::format("{:<11}{:<30}{:>7}{:>8}{:>8}{:>20}\n", row.model, row.view, row.edges, row.events, row.frames, fmt::format("{}/{}", row.right, row.frames));
+  text += "The paper turns scenes about one axis in parallel projection, and has a sentence each for other rotations and perspective. `sightline spin --axis --elevation --distance` makes such turns.\n";
+  return text;
+}
+
+void add_circles(Json& document, const std::vector<CircleRow>& rows) {
+  document["circles"] = Json::array();
+  for (const CircleRow& row : rows)
+    document["circles"].push_back({{"model", row.model}, {"turn", row.view}, {"edges", row.edges}, {"events", row.events}, {"frames", row.frames}, {"right", row.right}});
 }
 
 std::vector<FlightRow> run_flights() {

@@ -60,6 +60,22 @@ struct TurnRow {
 // Adds "turns".
 void add_turns(base::Json& document, const std::vector<TurnRow>& rows);
 
+// A solid turning on this computer, about another axis than the vertical one or in perspective, as `sightline spin` does.
+struct CircleRow {
+  std::string model;
+  std::string view;  // "about 1,3,0, from 20 degrees above, in perspective"
+  std::string file;
+  std::size_t edges = 0;
+  std::uint64_t events = 0;
+  int frames = 0;
+  int right = 0;  // frames whose lines are as long as those of the exact method, which draws each from scratch
+};
+// Writes MODEL-axis.apng and MODEL-perspective.apng into `directory`. Errors as above.
+[[nodiscard]] std::vector<CircleRow> run_circles(const std::string& directory);
+[[nodiscard]] std::string circle_table(const std::vector<CircleRow>& rows);
+// Adds "circles".
+void add_circles(base::Json& document, const std::vector<CircleRow>& rows);
+
 // A flight with the priority display.
 struct FlightRow {
   std::string scene;

@@ -129,6 +129,17 @@ Verdict turn_verdict(const DemoResults& results) {
           range.all_right()};
 }
 
+Verdict circle_verdict(const DemoResults& results) {
+  MethodRange range;
+  std::string text;
+  for (const CircleRow& row : results.circles) {
+    range.views += static_cast<std::size_t>(row.frames);
+    range.right += static_cast<std::size_t>(row.right);
+    text += fmt::format("{}{} {} ({} events)", text.empty() ? "" : ", ", row.model, row.view, row.events);
+  }
+  return {"Plantinga 1990 on this computer", text, verdict_text(range), range.all_right()};
+}
+
 Verdict flight_verdict(const DemoResults& results) {
   constexpr double wanted = 25;
   constexpr double noise = 1e-9;  // rounding error of a mean of quotients
@@ -262,7 +273,7 @@ std::vector<Verdict> verdicts_of(const DemoResults& results) {
   std::vector<Verdict> verdicts{jones_verdict(results),   turn_verdict(results),  flight_verdict(results),
                                 stripes_verdict(results), skala_verdict(results), visibility_verdict(results)};
   if (const std::string why = visibility_line(results.skala); !why.empty()) verdicts.push_back({"Why not 15 %", why, ""});
-  for (const auto& verdict : {plotter_verdict, exact_verdict, rounded_verdict}) verdicts.push_back(verdict(results));
+  for (const auto& verdict : {plotter_verdict, circle_verdict, exact_verdict, rounded_verdict}) verdicts.push_back(verdict(results));
   return verdicts;
 }
 

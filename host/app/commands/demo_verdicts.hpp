@@ -16,6 +16,7 @@ struct DemoResults {
   std::vector<JonesRow> jones;
   std::vector<WalkRow> walks;
   std::vector<TurnRow> turns;
+  std::vector<CircleRow> circles;
   std::vector<FlightRow> flights;
   SkalaDemo skala;
   std::vector<StripesDemoRow> stripes;

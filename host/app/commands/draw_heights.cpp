@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/algorithms/skala/surface.hpp"
 #include "host/app/commands/draw.hpp"
 #include "host/app/commands/skala_options.hpp"
 #include "host/app/commands/skala_source.hpp"
@@ -230,6 +231,7 @@ SkalaFunction load_all(const DrawHeightsArguments& arguments, std::vector<scene:
   std::vector<std::string> names = arguments.grids;
   // The surface of --function; if there is none, load_skala_function reports it.
   if (names.empty() || !arguments.source.expression.empty()) names.emplace_back();
+  const Family cut = names.size() > 1 && arguments.along.empty() ? Family::both : algorithms::skala::smoothed_family(arguments.view);
   SkalaFunction all;
   for (std::size_t i = 0; i < names.size(); ++i) {
     SkalaSource source = arguments.source;
@@ -237,7 +239,7 @@ SkalaFunction load_all(const DrawHeightsArguments& arguments, std::vector<scene:
     if (!names[i].empty()) source.expression.clear();
     if (!names[i].empty() && !source.domain.empty() && !arguments.source.expression.empty()) source.domain.clear();
     source.nets = names.size() == 1;
-    SkalaFunction each = load_skala_function(source, usual);
+    SkalaFunction each = load_skala_function(source, usual, cut);
     if (i == 0) {
       all = each;
     } else {

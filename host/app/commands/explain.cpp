@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "host/algorithms/skala/surface.hpp"
 #include "host/app/commands/commands.hpp"
 #include "host/app/commands/draw.hpp"
 #include "host/app/commands/skala_options.hpp"
@@ -70,7 +71,7 @@ ExitCode explain_scene(const explain::Explainer& explainer, const ExplainArgumen
 ExitCode explain_heights(const explain::Explainer& explainer, const ExplainArguments& arguments) {
   check_name(arguments.file);
   require_angles(arguments.rotation, arguments.elevation);
-  const SkalaFunction function = load_skala_function(arguments.source, {17, 13});
+  const SkalaFunction function = load_skala_function(arguments.source, {17, 13}, algorithms::skala::smoothed_family({.rotation = arguments.rotation}));
   Output output(arguments.file);
   explain::Lesson lesson = value_of(explainer.heights(function.grid, arguments.rotation, arguments.elevation), function.name);
   lesson.scene = function.name;

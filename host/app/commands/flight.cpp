@@ -196,6 +196,7 @@ ExitCode run_flight(const FlightArguments& arguments) {
   } else {
     write_stdout(flight_text(arguments, planned, made, source.scene.step));
   }
+  if (arguments.check) report_equal(arguments.scene);
   return ExitCode::ok;
 }
 

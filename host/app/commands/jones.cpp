@@ -153,6 +153,7 @@ ExitCode run_jones(const JonesArguments& arguments) {
     write_stdout(summary_of(arguments, build, scene, outcome));
     for (const std::string& path : pictures) write_stdout(fmt::format("picture          {}\n", path));
   }
+  if (arguments.check) report_equal(arguments.scene);
   const jones::Status status = outcome.view().status;
   if (status == jones::Status::complete) return ExitCode::ok;
   print_message(fmt::format("{}: the view stopped: {}; the pictures show what there was", arguments.scene,

@@ -4,11 +4,13 @@
 #include <memory>
 #include <utility>
 
+#include "host/algorithms/skala/surface.hpp"
 #include "host/app/commands/commands.hpp"
 #include "host/app/commands/skala_options.hpp"
 #include "host/app/commands/skala_report.hpp"
 #include "host/app/commands/skala_pictures.hpp"
 #include "host/app/commands/skala_source.hpp"
+#include "host/app/outputs.hpp"
 #include "host/scene/heights/function.hpp"
 
 namespace sightline::app {
@@ -49,11 +51,11 @@ ExitCode run_skala(SkalaArguments arguments) {
   programs::skala::Order& order = arguments.order;
   require_angles(order.view.rotation, order.view.elevation);
   require_finite("--zoom", order.view.zoom);
-  SkalaFunction function = load_skala_function(arguments.source, usual_grid_size(order.view.subject));
+  order.view.family = family_of(arguments.slices);
+  SkalaFunction function = load_skala_function(arguments.source, usual_grid_size(order.view.subject), algorithms::skala::smoothed_family(order.view));
   order.grid = std::move(function.grid);
   order.clock.hertz = arguments.clock;
   order.view.visibility = !arguments.no_visibility;
-  order.view.family = family_of(arguments.slices);
   order.device = device_named(arguments.device);
   if (arguments.link == "serial") order.link = programs::skala::Link::serial;
   order.time_plain = true;
@@ -67,6 +69,7 @@ ExitCode run_skala(SkalaArguments arguments) {
   const auto pictures = write_skala_pictures(files, request, outcome);
   write_stdout(arguments.json ? skala_document(request, outcome, pictures)
                               : skala_summary(request, outcome, pictures));
+  if (request.order.check) report_equal(request.name);
   return ExitCode::ok;
 }
 

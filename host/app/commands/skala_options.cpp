@@ -38,7 +38,7 @@ void add_function_options(const Command& command, SkalaSource& source, const std
       .range(fewest, most)
       .default_value(slices)
       .value("N");
-  command.option("--subdivide", source.subdivide, "Cut each cell into N by N cells on smooth curves through the heights: smooth contours")
+  command.option("--subdivide", source.subdivide, "Cut each cell into N by N cells on smooth curves through the heights: smooth contours. Slices along one axis are only made smooth: there are not more of them")
       .range(2, 64)
       .value("N");
   command.option("--points", source.points, "Samples of a function or of triangulated points along x")

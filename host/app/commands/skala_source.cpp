@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/algorithms/skala/surface.hpp"
 #include "host/app/command.hpp"
 #include "host/app/outputs.hpp"
 #include "host/base/nearest_name.hpp"
@@ -18,7 +19,6 @@
 #include "host/scene/heights/expression.hpp"
 #include "host/scene/heights/function.hpp"
 #include "host/scene/heights/read_grid.hpp"
-#include "host/scene/heights/subdivide.hpp"
 #include "host/scene/read/builtin.hpp"
 
 namespace sightline::app {
@@ -166,11 +166,11 @@ SkalaFunction load_whole(const SkalaSource& source, scene::GridSize usual) {
 
 }  // namespace
 
-SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usual) {
+SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usual, algorithms::skala::Family cut) {
   SkalaFunction function = load_whole(source, usual);
   if (!source.subdivide) return function;
   if (function.net) throw base::usage_error(fmt::format("--subdivide: expected a surface over a grid; {} is a net of curves", function.name));
-  function.grid = value_of(scene::subdivided(function.grid, *source.subdivide), function.name);
+  function.grid = value_of(algorithms::skala::finer_mesh(function.grid, *source.subdivide, cut), function.name);
   return function;
 }
 

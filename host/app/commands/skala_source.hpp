@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "host/algorithms/skala/view.hpp"
 #include "host/scene/heights/grid.hpp"
 #include "host/scene/heights/surface_net.hpp"
 
@@ -26,7 +27,7 @@ struct SkalaSource {
   bool nets = false;                  // a file may be a net of curves
   std::optional<std::size_t> points;  // of a function or of triangulated points
   std::optional<std::size_t> slices;
-  std::optional<std::size_t> subdivide;  // each cell in so many parts along both axes, by smooth curves
+  std::optional<std::size_t> subdivide;  // each cell in so many parts, by smooth curves
 };
 
 struct SkalaFunction {
@@ -43,7 +44,9 @@ struct SkalaFunction {
 // Functions and triangulated points are sampled at the size of the source, or at `usual`; other files have their own size.
 // Error usage: no function, two of them, options that do not apply, a wrong expression or domain. Error io: neither a name nor a file.
 // Error bad_input: the file is wrong.
-[[nodiscard]] SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usual);
+// `subdivide` cuts cells along the slices of `cut`, or along both axes.
+[[nodiscard]] SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usual,
+                                                algorithms::skala::Family cut = algorithms::skala::Family::both);
 
 // Whether a name is that of a function, or of a file that is no scene by its ending.
 [[nodiscard]] bool is_height_function(const std::string& name);

@@ -14,12 +14,12 @@
 
 #include "host/algorithms/registry/turns.hpp"
 #include "host/app/commands/commands.hpp"
+#include "host/app/commands/turn_sheet.hpp"
 #include "host/app/edge_options.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/progress.hpp"
 #include "host/geometry/vector.hpp"
 #include "host/picture/apng.hpp"
-#include "host/picture/vector_drawing.hpp"
 #include "host/programs/turn/tape.hpp"
 #include "host/scene/check/crossings.hpp"
 #include "host/scene/model/file_units.hpp"
@@ -168,60 +168,6 @@ registry::PreparedTurn prepare_turn(const registry::TurnMethod& method, const sc
   return prepared;
 }
 
-// The part of the plane that all frames fit into: the largest distance of a vertex from the axis, and the range of heights. On a
-// circle of the eye, the image of a sphere about the middle.
-class Sheet {
- public:
-  Sheet(const scene::PolyScene& scene, int size, const registry::EyeCircle& circle) : size_(size) {
-    double reach = 1;
-    for (const scene::PolyPoint& v : scene.vertices) {
-      std::array<double, 3> d{};
-      for (std::size_t i = 0; i < 3; ++i) d[i] = static_cast<double>(v[i] - circle.about[i]);
-      reach = std::max(reach, std::hypot(d[0], d[1], d[2]));
-    }
-    const auto eye = std::hypot(static_cast<double>(circle.eye[0]), static_cast<double>(circle.eye[1]), static_cast<double>(circle.eye[2]));
-    if (circle.perspective) reach /= std::sqrt(1 - reach * reach / (eye * eye));
-    scale_ = 0.47 * size / reach;
-  }
-  Sheet(const scene::PolyScene& scene, int size) : size_(size) {
-    double reach = 1;
-    double low = 0;
-    double high = 0;
-    bool first = true;
-    for (const scene::PolyPoint& v : scene.vertices) {
-      reach = std::max(reach, std::hypot(static_cast<double>(v[0]), static_cast<double>(v[2])));
-      low = first ? static_cast<double>(v[1]) : std::min(low, static_cast<double>(v[1]));
-      high = first ? static_cast<double>(v[1]) : std::max(high, static_cast<double>(v[1]));
-      first = false;
-    }
-    middle_ = (low + high) / 2;
-    scale_ = 0.47 * size / std::max(reach, (high - low) / 2);
-  }
-
-  [[nodiscard]] picture::Image image_of(const std::vector<registry::TurnLine>& lines) const {
-    picture::VectorDrawing drawing;
-    drawing.width = size_;
-    drawing.height = size_;
-    drawing.layers = {{"visible", {0, 0, 0}}};
-    for (const registry::TurnLine& line : lines) {
-      drawing.lines.push_back({0, static_cast<std::uint32_t>(drawing.points.size()), 2});
-      drawing.points.push_back(point(line.u0, line.v0));
-      drawing.points.push_back(point(line.u1, line.v1));
-    }
-    return picture::image_of(drawing, {size_, size_, 1.2});
-  }
-
- private:
-  [[nodiscard]] picture::DrawingPoint point(double u, double v) const {
-    return {static_cast<float>(size_ / 2.0 + scale_ * u),
-            static_cast<float>(size_ / 2.0 + scale_ * (v - middle_))};
-  }
-
-  int size_;
-  double middle_ = 0;
-  double scale_ = 1;
-};
-
 // Writes the tape for the PDP-7.
 void write_tape(const scene::PolyScene& scene, const SpinOptions& options) {
   namespace turn = programs::turn;
@@ -260,7 +206,7 @@ void spin(const SpinOptions& options) {
     throw base::usage_error("--events: found with --method exact, which computes no events");
   Output output(options.out);
   const registry::PreparedTurn turn = prepare_turn(method, scene, options, circle);
-  const Sheet sheet = circle ? Sheet(scene, options.size, *circle) : Sheet(scene, options.size);
+  const TurnSheet sheet = circle ? TurnSheet(scene, options.size, *circle) : TurnSheet(scene, options.size);
   picture::ApngWriter apng({1, static_cast<std::uint16_t>(options.rate)});
   std::vector<registry::TurnLine> lines;
   const int count = static_cast<int>(std::ceil(360 / options.step - 1e-9));

@@ -64,6 +64,8 @@ void reject_impossible(const StripesArguments& arguments) {
                                         arguments.antialias ? "the plotter has no greys" : "a line that is drawn cannot be overwritten"));
   if (arguments.antialias && arguments.made_by == "host")
     throw base::usage_error("--antialias: found with --stripes host, expected stripes by the 8080: lists of the host have no types of sides");
+  if (arguments.antialias && arguments.palette == "colour")
+    throw base::usage_error("--antialias: found with --palette colour, expected grey: a level between those of two faces has a colour of neither");
 }
 
 std::vector<std::string> write_pictures(const StripesArguments& arguments, const std::string& name,
@@ -184,6 +186,7 @@ ExitCode run_stripes(const StripesArguments& arguments) {
     write_stdout(summary_of(arguments, drawn));
     for (const std::string& path : pictures) write_stdout(fmt::format("picture          {}\n", path));
   }
+  if (arguments.check) report_equal(arguments.scene);
   return ExitCode::ok;
 }
 

@@ -163,6 +163,7 @@ ExitCode run_turn(const TurnArguments& arguments) {
     write_stdout(summary_of(arguments, tape, outcome));
     for (const std::string& path : pictures) write_stdout(fmt::format("picture          {}\n", path));
   }
+  if (arguments.check) report_equal(arguments.model);
   const auto full = std::find_if(outcome.hidden.pictures.begin(), outcome.hidden.pictures.end(),
                                  [](const turn::Picture& p) { return p.status != turn::Status::right; });
   if (full == outcome.hidden.pictures.end()) return ExitCode::ok;

@@ -10,6 +10,7 @@
 
 #include "host/algorithms/oracle/visible_lines.hpp"
 #include "host/algorithms/registry/lines.hpp"
+#include "host/algorithms/skala/surface.hpp"
 #include "host/explain/explain.hpp"
 #include "host/hidden_lines/hidden_lines.hpp"
 #include "host/programs/flight/program.hpp"
@@ -27,7 +28,6 @@
 #include "host/scene/heights/expression.hpp"
 #include "host/scene/heights/function.hpp"
 #include "host/scene/heights/read_grid.hpp"
-#include "host/scene/heights/subdivide.hpp"
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/read/builtin.hpp"
 #include "host/scene/read/load.hpp"
@@ -111,13 +111,6 @@ base::Result<scene::HeightGrid> known_heights(const Workbench& workbench, const 
   return scene::sample(*function, wanted);
 }
 
-base::Result<scene::HeightGrid> grid_of(const Workbench& workbench, const Json& request) {
-  auto grid = known_heights(workbench, request);
-  const auto parts = static_cast<std::size_t>(std::clamp(number_of(request, "subdivide", 1), 1.0, 64.0));
-  if (!grid || parts == 1) return grid;
-  return scene::subdivided(*grid, parts);
-}
-
 skala::View view_of(const Json& request) {
   skala::View view;
   const std::string picture = text_of(request, "picture");
@@ -131,6 +124,13 @@ skala::View view_of(const Json& request) {
   view.visibility = flag_of(request, "visibility", true);
   view.silhouette = view.subject == skala::Subject::contours;
   return view;
+}
+
+base::Result<scene::HeightGrid> grid_of(const Workbench& workbench, const Json& request) {
+  auto grid = known_heights(workbench, request);
+  const auto parts = static_cast<std::size_t>(std::clamp(number_of(request, "subdivide", 1), 1.0, 64.0));
+  if (!grid || parts == 1) return grid;
+  return algorithms::skala::finer_mesh(*grid, parts, algorithms::skala::smoothed_family(view_of(request)));
 }
 
 skala::Device device_of(const Json& request) {

@@ -43,9 +43,22 @@ struct TurnExponents {
   std::optional<double> prepare = {};
 };
 
+// A model drawn polygon by polygon, the farthest first, in the order of a BSP tree (face_tree.hpp). Means of 360 views of a turn.
+struct TreeDrawing {
+  std::string model;
+  std::size_t faces = 0;
+  std::size_t polygons = 0;  // of the tree, by which some faces are cut
+  double turned = 0;         // polygons turned to the eye
+  double sides = 0;          // sides of these: the lines that are drawn
+  double lines = 0;          // visible lines, which are drawn with events
+
+  [[nodiscard]] double ratio() const { return sides / lines; }
+};
+
 struct PlantingaGrowth {
   std::vector<TurnGrowth> scenes;
   std::vector<TurnExponents> exponents;  // one per family
+  std::vector<TreeDrawing> trees;        // one per model
 };
 
 [[nodiscard]] PlantingaGrowth plantinga_growth(const Context& context);

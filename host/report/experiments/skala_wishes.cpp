@@ -75,7 +75,7 @@ void add_contours(std::vector<SmoothContours>& rows, const std::string& name) {
   scene::HeightGrid known = scene::sample(function, {known_points, known_points});
   known.range = reference.range;  // the same levels
   for (const std::size_t parts : all_parts) {
-    scene::HeightGrid mesh = base::value_of(scene::subdivided(known, parts), name);
+    scene::HeightGrid mesh = base::value_of(scene::subdivided(known, {parts, parts}), name);
     mesh.range = reference.range;
     const skala::Outcome drawn = base::value_of(skala::run(order_of(mesh, Subject::contours)), name);
     SmoothContours& row = rows.emplace_back();

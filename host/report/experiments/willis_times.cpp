@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <list>
@@ -10,7 +11,10 @@
 #include "host/algorithms/registry/willis_display.hpp"
 #include "host/algorithms/willis/frame.hpp"
 #include "host/algorithms/willis/spans.hpp"
+#include "host/geometry/vector.hpp"
+#include "host/picture/camera_view.hpp"
 #include "host/report/experiments/clock.hpp"
+#include "host/report/experiments/face_tree.hpp"
 #include "host/report/experiments/willis_order.hpp"
 #include "host/report/experiments/willis_scenes.hpp"
 #include "host/report/page.hpp"
@@ -22,13 +26,76 @@ namespace {
 namespace willis = algorithms::willis;
 namespace display = devices::priority_display;
 
+// The face whose plane is nearest on the line of sight of each point, of those that cover it: the "correct points" of the paper,
+// "the intersection of a line from the eye ... with the surfaces in question". Each takes a division.
+class SightLinePicture {
+ public:
+  SightLinePicture(const willis::Model& model, const scene::PolyCamera& camera, const willis::ImageWindow& window)
+      : model_(model),
+        window_(window),
+        perspective_(camera.perspective),
+        eye_(geometry::real_vector(camera.eye)),
+        view_(camera),
+        grid_(window.width, window.height),
+        nearest_(static_cast<std::size_t>(window.width) * static_cast<std::size_t>(window.height)) {}
+
+  const picture::PixelGrid& draw(const willis::FrameSpans& frame) {
+    std::fill(nearest_.begin(), nearest_.end(), 0.0);
+    std::fill(grid_.values.begin(), grid_.values.end(), 0U);
+    for (const willis::SurfaceSpans& surface : frame.surfaces) add(frame, surface);
+    return grid_;
+  }
+
+ private:
+  void add(const willis::FrameSpans& frame, const willis::SurfaceSpans& surface) {
+    const willis::SurfacePlane& plane = model_.pieces[surface.piece].plane;
+    const geometry::RealVector normal{static_cast<double>(plane.normal[0]), static_cast<double>(plane.normal[1]),
+                                      static_cast<double>(plane.normal[2])};
+    const double across = geometry::dot(normal, view_.axis(0)) / window_.scale;
+    const double upwards = geometry::dot(normal, view_.axis(1)) / window_.scale;
+    const double ahead = geometry::dot(normal, view_.axis(2));
+    const double from_eye = static_cast<double>(plane.offset) - geometry::dot(normal, eye_);
+    for (std::uint32_t i = 0; i < surface.line_count; ++i) {
+      const willis::Span span = frame.spans[surface.first_span + i];
+      const auto line = static_cast<int>(surface.first_line + i);
+      const double y = window_.top - (line + 0.5);
+      for (int column = span.from; column < span.to; ++column) {
+        const double of_point = across * (column + 0.5 - window_.left) + upwards * y;
+        // The distance along the line of sight, in units of the distance of the image plane.
+        const double distance = perspective_ ? from_eye / (of_point + ahead) : (from_eye - of_point) / ahead;
+        const std::size_t at = grid_.index(column, window_.height - 1 - line);
+        if (grid_.values[at] != 0 && nearest_[at] <= distance) continue;
+        nearest_[at] = distance;
+        grid_.values[at] = surface.face + 1;
+      }
+    }
+  }
+
+  const willis::Model& model_;
+  willis::ImageWindow window_;
+  bool perspective_;
+  geometry::RealVector eye_;
+  picture::CameraView view_;
+  picture::PixelGrid grid_;
+  std::vector<double> nearest_;
+};
+
+FaceTree::Eye eye_of(const scene::PolyCamera& camera) {
+  const auto at = [](const scene::PolyPoint& p, double sign, double weight) {
+    return FaceTree::Eye{sign * p[0], sign * p[1], sign * p[2], weight};
+  };
+  return camera.perspective ? at(camera.eye, 1, 1) : at(camera.forward, -1, 0);
+}
+
 // Must not be moved: frames point into the model.
 struct Flight {
   explicit Flight(WillisScene of)
       : scene(std::move(of)),
         model(scene.model()),
         window(willis::window_around(scene.scene, scene.scene.camera, display::columns, display::lines)),
-        frames(model) {}
+        frames(model),
+        sight_lines(model, scene.scene.camera, window),
+        tree(scene.scene) {}
   Flight(const Flight&) = delete;
   Flight& operator=(const Flight&) = delete;
 
@@ -37,6 +104,12 @@ struct Flight {
     willis::make_spans(model, frames.order(scene.scene.camera), scene.scene.camera, window, spans);
     (void)registry::show_on_display(spans, shown);
   }
+  void make_spans() { willis::make_spans(model, frames.order(scene.scene.camera), scene.scene.camera, window, spans); }
+  void draw_by_sight_lines() {
+    make_spans();
+    (void)sight_lines.draw(spans);
+  }
+  void scan_tree() { tree.paint(eye_of(scene.scene.camera), painted); }
 
   WillisScene scene;
   willis::Model model;
@@ -44,11 +117,21 @@ struct Flight {
   willis::Frames frames;
   willis::FrameSpans spans;
   registry::WillisDisplay shown;
+  SightLinePicture sight_lines;
+  FaceTree tree;
+  std::vector<std::uint32_t> painted;
 };
+
+std::uint64_t different_points(const picture::PixelGrid& one, const picture::PixelGrid& other) {
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < one.values.size(); ++i) count += one.values[i] != other.values[i] ? 1U : 0U;
+  return count;
+}
 
 WillisFrame frame_of(Flight& flight) {
   flight.fly();
   const willis::Model& model = flight.model;
+  const std::uint64_t different = different_points(flight.sight_lines.draw(flight.spans), willis::resolve_priorities(flight.spans, flight.window));
   return {.scene = flight.scene.title(),
           .surfaces = model.surfaces,
           .tests = model.tests,
@@ -58,7 +141,10 @@ WillisFrame frame_of(Flight& flight) {
           .left_over = model.residual.size(),
           .distances = flight.order(),
           .spans = flight.spans.spans.size(),
-          .points_covered = flight.shown.device.counts().points};
+          .points_covered = flight.shown.device.counts().points,
+          .points_different = different,
+          .tree_nodes = flight.tree.nodes(),
+          .tree_polygons = flight.tree.polygons().size()};
 }
 
 void time_frames(std::vector<WillisFrame>& frames, std::list<Flight>& flights, int rounds) {
@@ -67,10 +153,15 @@ void time_frames(std::vector<WillisFrame>& frames, std::list<Flight>& flights, i
     jobs.emplace_back([&flight] { (void)flight.scene.model(); });
     jobs.emplace_back([&flight] { (void)flight.order(); });
     jobs.emplace_back([&flight] { flight.fly(); });
+    jobs.emplace_back([&flight] { flight.make_spans(); });
+    jobs.emplace_back([&flight] { flight.draw_by_sight_lines(); });
+    jobs.emplace_back([&flight] { flight.scan_tree(); });
   }
   const auto times = median_nanoseconds(jobs, rounds);
-  for (std::size_t i = 0; i < frames.size(); ++i)
-    frames[i].times = WillisFrame::Times{times[3 * i] / 1e6, times[3 * i + 1] / 1e3, times[3 * i + 2] / 1e6};
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const double* const of = &times[6 * i];
+    frames[i].times = WillisFrame::Times{of[0] / 1e6, of[1] / 1e3, of[2] / 1e6, of[3] / 1e3, of[4] / 1e3, of[5] / 1e3};
+  }
 }
 
 std::vector<WillisModelTime> model_times(int rounds) {
@@ -103,6 +194,13 @@ std::optional<double> prepare_ms(const WillisFrame& frame) {
 }
 std::optional<double> rate(const WillisFrame& frame) {
   return frame.times ? std::optional(1000 / frame.times->frame_ms) : std::nullopt;
+}
+
+double points_a_distance(const WillisFrame& frame) {
+  return static_cast<double>(frame.points_covered) / static_cast<double>(frame.distances);
+}
+double nodes_a_distance(const WillisFrame& frame) {
+  return static_cast<double>(frame.tree_nodes) / static_cast<double>(frame.distances);
 }
 
 std::string whole_per_cent(double here, double paper) {
@@ -142,7 +240,18 @@ void add_claims(Page& page, const WillisTimes& times, const WillisOrder& order) 
   }
   rows.insert(
       rows.end(),
-      {{.claim = "willis.surfaces",
+      {{.claim = "willis.lines",
+        .here = least_and_greatest(frames, &points_a_distance),
+        .places = 0,
+        .condition = "points on lines of sight for each distance, scenes of the next tables",
+        .comparison = least(frames, &points_a_distance) > 1 ? "so it is: every point that a piece covers takes a division" : "not in every scene"},
+       {.claim = "willis.trees",
+        .here = least_and_greatest(frames, &nodes_a_distance),
+        .places = 1,
+        .condition = "nodes of a BSP tree of the faces for each distance, the same scenes",
+        .comparison = least(frames, &nodes_a_distance) > 1 ? "a scan compares the eye with more planes than there are distances, but needs no sort"
+                                                           : "fewer nodes than distances in some scenes"},
+       {.claim = "willis.surfaces",
         .here = least_and_greatest(frames, &WillisFrame::distances),
         .condition = "pieces turned to the eye, scenes of the next table",
         .comparison = fmt::format("{} of {} scenes show hundreds", hundreds, frames.size())},
@@ -209,6 +318,44 @@ void add_scenes_table(Page& page, const WillisTimes& times) {
                [](const WillisFrame& f) { return 1000 * order_us(f).value_or(0) / static_cast<double>(f.pieces); }, 1, host_time},
               {"frame_ms", "Frame, display emulated", "ms", &frame_ms, 2, host_time},
               {"frames_per_s", "Rate", "frames/s", &rate, 0, host_time}},
+             {.notes = std::move(notes)});
+}
+
+void add_baselines_table(Page& page, const WillisTimes& times) {
+  const auto& frames = times.frames;
+  const auto of_times = [](double WillisFrame::Times::*member) {
+    return [member](const WillisFrame& f) { return f.times ? std::optional((*f.times).*member) : std::nullopt; };
+  };
+  std::vector<CheckedText> notes{
+      fmt::format("A point on the line of sight is found for every piece at every point of the picture that it covers, a division each: "
+                  "{} to {} times as many as there are distances. ",
+                  text_of(least(frames, points_a_distance), 0), text_of(greatest(frames, points_a_distance), 0)) +
+          page.claim(sum(frames, &WillisFrame::points_different) == 0, "Priorities give the same picture, point for point.",
+                     text_of(sum(frames, &WillisFrame::points_different)) + " points differ"),
+      fmt::format("The tree is a BSP tree of the faces (Fuchs, Kedem and Naylor, 1980). A view compares the eye with the plane of every node, "
+                  "also of those that are turned away: {} to {} nodes for each distance. It sorts nothing, and needs no surfaces to be cut "
+                  "apart, but the faces that planes of other faces cut.",
+                  text_of(least(frames, nodes_a_distance), 1), text_of(greatest(frames, nodes_a_distance), 1))};
+  if (page.host_times()) {
+    const auto lines = range_of(frames, [](const WillisFrame& f) { return f.times->lines_us / f.times->spans_us; });
+    const auto tree = range_of(frames, [](const WillisFrame& f) { return f.times->tree_us / f.times->order_us; });
+    notes.emplace_back(fmt::format("On this computer a frame with lines of sight takes {} to {} times as long as one of spans with priorities, "
+                                   "and a scan of the tree {} to {} times as long as distances and sort.",
+                                   text_of(lines.least, 1), text_of(lines.greatest, 1), text_of(tree.least, 2), text_of(tree.greatest, 2)));
+  }
+  page.table("willis-baselines", "Willis: what distances replace", frames,
+             {{"scene", "Scene", &WillisFrame::scene},
+              {"surfaces", "Surfaces", &WillisFrame::surfaces},
+              {"pieces", "Pieces", &WillisFrame::pieces},
+              {"distances", "Distances a frame", &WillisFrame::distances},
+              {"points_covered", "Points on lines of sight", &WillisFrame::points_covered},
+              {"points_different", "Points that differ", &WillisFrame::points_different},
+              {"tree_nodes", "Nodes of the tree", &WillisFrame::tree_nodes},
+              {"tree_polygons", "Polygons of the tree", &WillisFrame::tree_polygons},
+              {"order_us", "Distances and sort", "us", of_times(&WillisFrame::Times::order_us), 1, host_time},
+              {"tree_us", "Scan of the tree", "us", of_times(&WillisFrame::Times::tree_us), 1, host_time},
+              {"spans_us", "Distances, sort and spans", "us", of_times(&WillisFrame::Times::spans_us), 0, host_time},
+              {"lines_us", "The same with lines of sight", "us", of_times(&WillisFrame::Times::lines_us), 0, host_time}},
              {.notes = std::move(notes)});
 }
 
@@ -291,6 +438,7 @@ void willis_timing(Page& page, const WillisTimes& times, const WillisOrder& orde
         }}},
       {.folded = true});
   add_scenes_table(page, times);
+  add_baselines_table(page, times);
   page.gallery("willis-pictures", fmt::format("Willis: {}, wrong points in red", order.pictures.front().scene), order.pictures,
                [](const WillisPicture& p) {
                  return figure(p.picture, fmt::format("willis-depth-{}", p.depth),

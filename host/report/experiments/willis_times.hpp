@@ -35,10 +35,18 @@ struct WillisFrame {
   std::size_t distances = 0;
   std::size_t spans = 0;
   std::uint64_t points_covered = 0;
+  // What the paper calls time-consuming: a plane's place on the line of sight of every point that a piece covers, and a scan of a
+  // tree of planes (face_tree.hpp).
+  std::uint64_t points_different = 0;  // from the picture by priorities
+  std::size_t tree_nodes = 0;
+  std::size_t tree_polygons = 0;
   struct Times {
     double prepare_ms = 0;
     double order_us = 0;
     double frame_ms = 0;
+    double spans_us = 0;
+    double lines_us = 0;  // of sight, with the spans
+    double tree_us = 0;
   };
   std::optional<Times> times = {};  // empty without Context::host_times
 };

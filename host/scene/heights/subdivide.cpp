@@ -77,27 +77,27 @@ std::vector<double> finer_heights(const Profile& profile, std::size_t parts) {
 
 }  // namespace
 
-base::Result<HeightGrid> subdivided(const HeightGrid& grid, std::size_t parts) {
+base::Result<HeightGrid> subdivided(const HeightGrid& grid, const CellParts& parts) {
   HeightGrid finer = grid;
-  finer.x = finer_places(grid.x, parts);
-  finer.z = finer_places(grid.z, parts);
+  finer.x = finer_places(grid.x, parts.x);
+  finer.z = finer_places(grid.z, parts.z);
   if (finer.points() > largest_grid.points || finer.slices() > largest_grid.slices) {
-    return base::Error{"", "--subdivide", fmt::format("{} slices of {} points, each cell in {} by {}: {} by {}", grid.slices(), grid.points(), parts,
-                                                      parts, finer.slices(), finer.points()),
+    return base::Error{"", "--subdivide", fmt::format("{} slices of {} points, each cell in {} by {}: {} by {}", grid.slices(), grid.points(), parts.x,
+                                                      parts.z, finer.slices(), finer.points()),
                        fmt::format("at most {} by {}", largest_grid.slices, largest_grid.points)};
   }
   // Slice by slice along x, then column by column along z.
   std::vector<double> along_x;
   for (std::size_t slice = 0; slice < grid.slices(); ++slice) {
     const auto from = grid.heights.begin() + static_cast<std::ptrdiff_t>(slice * grid.points());
-    const auto heights = finer_heights({grid.x, {from, from + static_cast<std::ptrdiff_t>(grid.points())}}, parts);
+    const auto heights = finer_heights({grid.x, {from, from + static_cast<std::ptrdiff_t>(grid.points())}}, parts.x);
     along_x.insert(along_x.end(), heights.begin(), heights.end());
   }
   finer.heights.assign(finer.points() * finer.slices(), hole);
   for (std::size_t point = 0; point < finer.points(); ++point) {
     Profile column{grid.z, {}};
     for (std::size_t slice = 0; slice < grid.slices(); ++slice) column.heights.push_back(along_x[slice * finer.points() + point]);
-    const auto heights = finer_heights(column, parts);
+    const auto heights = finer_heights(column, parts.z);
     for (std::size_t slice = 0; slice < heights.size(); ++slice) finer.heights[slice * finer.points() + point] = heights[slice];
   }
   const Interval range = finite_range(finer.heights);

@@ -1,4 +1,4 @@
-// `sightline demo`: both machines on all built-in scenes, in ten lines, as a page and as JSON. Each run takes seconds.
+// `sightline demo`: both machines on all built-in scenes, in a dozen lines, as a page and as JSON. Each run takes seconds.
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -25,10 +25,10 @@ std::vector<std::string> named_in(const std::string& page, const std::string& at
   return names;
 }
 
-TEST_F(DemoCommand, PrintsTenLinesAndWritesThePageWithItsPictures) {
+TEST_F(DemoCommand, PrintsADozenLinesAndWritesThePageWithItsPictures) {
   const Ran ran = sightline({"demo", "-o", "pictures", "--no-host-times"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
-  EXPECT_LE(std::count(ran.out.begin(), ran.out.end(), '\n'), 11) << ran.out;
+  EXPECT_LE(std::count(ran.out.begin(), ran.out.end(), '\n'), 12) << ran.out;
   EXPECT_FALSE(has(ran.out, "WRONG")) << ran.out;
   for (const char* text :
        {"Jones 1971 on the PDP-7: a view in ", "\"a few seconds\"", "% different along lines, points up to ", "still views right in 7 of 7", "right in 5 of 5", "Plantinga 1990 on the PDP-7: ",
@@ -68,12 +68,12 @@ TEST_F(DemoCommand, PrintsTenLinesAndWritesThePageWithItsPictures) {
     EXPECT_GT(entry.file_size(), 300U) << name;
     EXPECT_TRUE(!name.ends_with(".png") || named.contains(name)) << name;
   }
-  // Five scenes in four ways; two walks in three; eight functions in four ways and one plot in three; three scenes in stripes, one also
-  // with smooth edges.
-  EXPECT_EQ(pictures, 5 * 4 + 2 * 3 + 8 * 4 + 3 + 4);
+  // Five scenes in four ways; three walks in three; eight functions in four ways and one plot in three; three scenes in stripes, one also
+  // with smooth edges; two turns.
+  EXPECT_EQ(pictures, 5 * 4 + 3 * 3 + 8 * 4 + 3 + 4 + 2);
   for (const char* text : {"How fast?", "How wrong?", "Against what?", "jones-pdp7", "corridor32", "boxes-8, parallel", "rosen",
                            "turn-pdp7", "<details>", "nothing wrong", ">near 0 %</text>", ">8 of 8</td>", "prefers-color-scheme: dark", "name=\"viewport\"", "class=\"answer-plot\"",
-                           "jones-pdp7 without EAE", "A solid turning on the PDP-7", "A walk from cell to cell on the PDP-7", "between its samples the function is up to"})
+                           "jones-pdp7 without EAE", "A solid turning on the PDP-7", "A walk from cell to cell on the PDP-7", "turning about other axes", "roberts-perspective.apng", "between its samples the function is up to"})
     EXPECT_TRUE(has(page, text)) << text;
   for (const char* text : {"<script", "http://www.example", "https://", ">0 of 8</td>", ">error 0</text>", "time here", " us</", "&#181;"})
     EXPECT_FALSE(has(page, text)) << text;
@@ -96,12 +96,17 @@ TEST_F(DemoCommand, AsJsonInAFolderOfAnyName) {
     EXPECT_EQ(view.at("status"), "complete");
     EXPECT_LE(view.at("core_words_used").get<int>(), 8192);
   }
-  ASSERT_EQ(document.at("walks").size(), 4U);
+  ASSERT_EQ(document.at("walks").size(), 6U);
   for (const json& walk : document.at("walks")) {
-    EXPECT_GE(walk.at("cells_entered").get<int>(), 3);
+    EXPECT_GE(walk.at("cells_entered").get<int>(), 2) << "no portal was passed: " << walk;
     EXPECT_LE(walk.at("core_words_used").get<int>(), 8192);
   }
   ASSERT_EQ(document.at("turns").size(), 4U);
+  ASSERT_EQ(document.at("circles").size(), 2U);
+  for (const json& circle : document.at("circles")) {
+    EXPECT_EQ(circle.at("right"), circle.at("frames"));
+    EXPECT_GE(circle.at("events").get<int>(), 6) << "faces in three directions, each seen edge-on twice: " << circle;
+  }
   ASSERT_EQ(document.at("flights").size(), 4U);
   for (const json& flight : document.at("flights"))
     EXPECT_GE(flight.at("frames_per_second_mean").get<double>(), flight.at("bits") == 8 ? 23 : 12);

@@ -196,11 +196,13 @@ TEST_F(JonesCommand, WrongWalks) {
   EXPECT_TRUE(has(on_a_plane.err, "too close to the faces of cell")) << on_a_plane.err;
 }
 
-TEST_F(JonesCommand, TheCheckAddsNothing) {
+TEST_F(JonesCommand, TheCheckAddsOnlyAMessage) {
   const Ran plain = sightline({"jones", "house", "--scale", "700", "--json"});
   const Ran checked = sightline({"jones", "house", "--scale", "700", "--json", "--check"});
   EXPECT_EQ(checked.exit_code, 0) << checked.err;
   EXPECT_EQ(checked.out, plain.out);
+  EXPECT_TRUE(has(checked.err, "checked: equal to the same program in C++")) << checked.err;
+  EXPECT_FALSE(has(plain.err, "checked")) << plain.err;
   // A person at the switches moves the eye; the twin does not follow.
   write("right.txt", "0 200000\n");
   EXPECT_EQ(sightline({"jones", "house", "--switches", "right.txt", "--check"}).exit_code, 2);

@@ -372,4 +372,18 @@ TEST_F(RunI8080Command, WrongUsage) {
   EXPECT_EQ(files(), std::vector<std::string>{"small.bin"});
 }
 
+TEST_F(RunI8080Command, AHaltThatNoDeviceCanEndIsExplained) {
+  write("wait.asm", "\tORG 0\n\tLXI SP,200H\n\tEI\n\tHLT\n\tEND\n");
+  const std::vector<std::string> words{"run", "i8080", "wait.asm", "--max-states", "1000"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), words.begin(), words.end());
+    return sightline(more);
+  };
+  const Ran forgotten = with({"--board", "ef9365"});
+  EXPECT_EQ(forgotten.exit_code, 0) << forgotten.err;
+  EXPECT_TRUE(has(forgotten.err, "HLT waits for an interrupt, and a device here is not wired to one: --interrupt LINE=N, with LINE of ef9365 ")) << forgotten.err;
+  EXPECT_FALSE(has(with({"--board", "ef9365", "--interrupt", "ef9365=7"}).err, "HLT waits"));
+  EXPECT_FALSE(has(with({}).err, "HLT waits")) << "there is no device";
+}
+
 }  // namespace

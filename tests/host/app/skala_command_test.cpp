@@ -1,5 +1,8 @@
 // `sightline skala`: pictures, figures, and errors.
 #include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "host/picture/png.hpp"
 #include "tests/host/app/command_line.hpp"
@@ -89,6 +92,16 @@ TEST_F(SkalaCommand, SubdividesCells) {
   // Nine times the cells, each with the lines of its borders and contours.
   EXPECT_GT(fine.at("command_bytes").get<int>(), 3 * coarse.at("command_bytes").get<int>());
   EXPECT_GT(fine.at("t_states").get<std::int64_t>(), coarse.at("t_states").get<std::int64_t>());
+  // Lines have as many slices as before, of more points; a net of lines has more of both.
+  const std::vector<std::pair<std::vector<std::string>, std::pair<int, int>>> lines{
+      {{}, {9, 31}}, {{"--rotate", "90"}, {25, 11}}, {{"--along", "z"}, {25, 11}}, {{"--both"}, {25, 31}}};
+  for (const auto& [more, size] : lines) {
+    std::vector<std::string> words{"lines", "peaks", "--slices", "9", "--points", "11", "--subdivide", "3", "-o", "lines"};
+    words.insert(words.end(), more.begin(), more.end());
+    const json drawn = report(words);
+    EXPECT_EQ(drawn.at("slices"), size.first) << drawn;
+    EXPECT_EQ(drawn.at("points"), size.second) << drawn;
+  }
   expect_failure({"contours", "peaks", "--subdivide", "1"}, 2, "--subdivide");
   expect_failure({"contours", "peaks", "--slices", "33", "--points", "33", "--subdivide", "40"}, 4, "at most 1024 by 1024");
 }

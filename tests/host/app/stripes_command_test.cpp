@@ -65,6 +65,10 @@ TEST_F(StripesCommand, AntialiasesAndOverwrites) {
   EXPECT_EQ(host.exit_code, 2);
   EXPECT_TRUE(has(host.err, "--antialias: found with --stripes host")) << host.err;
   EXPECT_EQ(sightline({"stripes", "roberts", "--antialias", "--overwrite"}).exit_code, 2);
+  const Ran colour = sightline({"stripes", "roberts", "--antialias", "--palette", "colour"});
+  EXPECT_EQ(colour.exit_code, 2);
+  EXPECT_TRUE(has(colour.err, "--antialias: found with --palette colour, expected grey")) << colour.err;
+  EXPECT_TRUE(has(sightline({"stripes", "roberts", "--check", "-o", "p"}).err, "roberts: checked: equal")) << "the check says so";
 }
 
 TEST_F(StripesCommand, ReportsScenesThatDoNotFit) {

@@ -48,11 +48,13 @@ TEST_F(TurnCommand, WritesJson) {
   EXPECT_LE(document.at("core_words").get<int>(), 8192);
 }
 
-TEST_F(TurnCommand, TheCheckAddsNothing) {
+TEST_F(TurnCommand, TheCheckAddsOnlyAMessage) {
   const Ran plain = sightline({"turn", models + "cube.off", "--frames", "20", "-o", "p"});
   const Ran checked = sightline({"turn", models + "cube.off", "--frames", "20", "-o", "p", "--check"});
   EXPECT_EQ(checked.exit_code, 0) << checked.err;
   EXPECT_EQ(checked.out, plain.out);
+  EXPECT_TRUE(has(checked.err, "checked: equal to the same program in C++")) << checked.err;
+  EXPECT_FALSE(has(plain.err, "checked")) << plain.err;
 }
 
 TEST_F(TurnCommand, ReportsTheExcessWordsOfAModel) {

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstdio>
 #include <map>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -311,8 +314,8 @@ TEST(Lessons, OfATurnBeginAndEndWithTheExactPicture) {
       if (step.caption.starts_with("The structure stays")) {
         EXPECT_EQ(layers["seen"].size(), count_of(step, "pieces seen")) << name;
       }
+      if (step.caption.starts_with("The turn is complete")) last = layers["seen"];
       most = count_of(step, "events");
-      last = layers["seen"];
     });
     EXPECT_EQ(initial, picture.pieces.size()) << name;
     EXPECT_EQ(last.size(), picture.pieces.size()) << name;
@@ -323,6 +326,44 @@ TEST(Lessons, OfATurnBeginAndEndWithTheExactPicture) {
         for (std::size_t i = 1; i < lesson->steps.size(); ++i)
           EXPECT_GE(count_of(lesson->steps[i], count.name), count_of(lesson->steps[i - 1], count.name)) << name << ", step " << i;
       }
+  }
+}
+
+// The last steps show the scene as `exact` does from a place between two events, from above and in perspective.
+TEST(Lessons, OfATurnEndWithOtherTurns) {
+  for (const char* const name : {"house", "roberts", "boxes-4", "triangles-8"}) {
+    scene::PolyScene scene = load_scene(name).scene;
+    scene.camera = {false, {0, 0, 0}, {-271, 0, 314}, {314, 0, 271}, {0, 1, 0}};
+    const auto lesson = find_explainer("plantinga")->scene(scene, scene.camera, nullptr);
+    ASSERT_TRUE(lesson) << name;
+    const scene::PolyPoint middle = scene::bounds_of(scene).middle();
+    std::map<std::string, double> angles;
+    for_each_state(*lesson, 1, [&](const Step& step, std::map<std::string, std::vector<Mark>>& layers) {
+      for (const Mark& mark : layers["sight"]) std::sscanf(mark.text.c_str(), "viewer at %lf degrees", &angles[step.caption]);
+    });
+    std::size_t turns = 0;
+    for_each_state(*lesson, 0, [&](const Step& step, std::map<std::string, std::vector<Mark>>& layers) {
+      const bool above = step.caption.starts_with("Here the axis is vertical again");
+      const bool perspective = step.caption.starts_with("\"Perspective projection");
+      turns += above || perspective || step.caption.starts_with("\"Other rotations");
+      if (!above && !perspective) return;
+      const double angle = angles.at(step.caption) * std::numbers::pi / 180;
+      double radius = 1;
+      for (const scene::PolyPoint& p : scene.vertices)
+        radius = std::max(radius, std::hypot(p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]));
+      const auto part = [&](double length, double direction) { return static_cast<std::int32_t>(std::lround(length * direction)); };
+      scene::PolyCamera camera{perspective, {}, {part(-20000, std::sin(angle)), -10000, part(-20000, std::cos(angle))}, {}, {}};
+      const double far = std::round(2 * radius);
+      if (perspective)
+        camera.eye = {middle[0] + part(far, std::sin(angle)), middle[1] + part(far, 0.5), middle[2] + part(far, std::cos(angle))};
+      camera.right = {camera.forward[2], 0, -camera.forward[0]};
+      const auto [x, y, z] = camera.forward;
+      camera.up = std::abs(z) > std::abs(x) ? scene::PolyPoint{0, z, -y} : scene::PolyPoint{-y, x, 0};
+      const auto picture = algorithms::exact::visible_edges(scene, camera);
+      EXPECT_EQ(layers["seen"].size(), picture.pieces.size()) << name << ": " << step.caption;
+      EXPECT_EQ(count_of(step, "pieces seen"), picture.pieces.size()) << name;
+    });
+    EXPECT_EQ(turns, 3U) << name;
   }
 }
 

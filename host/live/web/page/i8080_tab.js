@@ -56,16 +56,16 @@ export class I8080Tab {
       element('div', {className: 'desk'}, this.message,
         group('Program', this.program, this.scene, this.pick, this.words, this.flight.scene),
         this.look = group('Picture', this.kind = choice('Drawn as', ['lines', 'surface', 'contours'], o.picture, again('picture'), 'Lines of the surface, shaded surface, or lines of equal height'),
-          this.device = choice('Device', [['ef9365', 'EF9365 raster board'], ['alt256', 'ALT-256 raster board'], ['calcomp', `${PENS.calcomp} plotter`], ['minigraf', `${PENS.minigraf} plotter`]], o.device, again('device'), 'What the 8080 draws on'),
+          this.device = choice('Device', [['ef9365', 'EF9365 raster board'], ['alt256', 'ALT-256 raster board'], ['calcomp', `${PENS.calcomp} plotter`], ['minigraf', `${PENS.minigraf} plotter`]], o.device, value => { o.device = value; this.offer(); this.restart(); }, 'What the 8080 draws on'),
           this.turn, this.tilt),
         fold('Options', ...this.flight.controls, ...this.ofSkala = [field('Zoom', o.zoom, number('zoom'), {type: 'number', min: 0.1, max: 10, step: 0.1}, 'Size of the picture; 1 fills the device'),
           field('Points along x', o.points, number('points'), {type: 'number', min: 2, max: 128}, 'Points of the grid in each slice; more are finer and slower'),
           field('Slices', o.slices, number('slices'), {type: 'number', min: 2, max: 128}, 'Rows of the grid, from the foreground to the background'),
           field('Contour levels', o.levels, number('levels'), {type: 'number', min: 1, max: 60}, 'Number of heights in a picture of contours'),
-          field('Cells cut in', o.subdivide, number('subdivide'), {type: 'number', min: 1, max: 16}, 'Cells along a side of each cell of the grid, on smooth curves: for smooth contours'),
+          field('Cells cut in', o.subdivide, number('subdivide'), {type: 'number', min: 1, max: 16}, 'Cells along a side of each cell of the grid, on smooth curves: for smooth contours. Lines become smooth, and not more'),
           check('Hidden lines removed', o.visibility, again('visibility'), 'If not set, all lines are drawn completely'),
           check('Temporary masks', o.masks, again('masks'), "If not set, the program leaves out Skala's masks M1T and M1B: lines that fall lose dots")],
-          ...this.ofStripes = [check('Smooth edges', o.antialias, again('antialias'), 'On the raster board: dots at edges have the mixed grey of the faces in them')],
+          ...this.ofStripes = [check('Smooth edges', o.antialias, again('antialias'), 'Dots at edges have the mixed grey of the faces in them')],
           choice('Speed', [[1, 'real time, 3 MHz'], [10, '10 times'], [100, '100 times'], [0, 'as fast as possible'], [0.05, 'a twentieth']], o.speed, value => { o.speed = Number(value); }, 'How fast the machine runs, compared with an 8080 at 3 MHz')),
         this.cost8080 = fold('What visibility costs', element('p', {}, button('Measure', () => this.cost(), 'Draw the picture with and without its hidden lines, and compare the times')), this.costs = element('p', {role: 'status'})),
         fold('State', this.facts,
@@ -121,7 +121,6 @@ export class I8080Tab {
     const {program} = this.options;
     const skala = program === 'skala';
     for (const each of [this.pick, this.kind, this.cost8080, ...this.ofSkala]) each.hidden = !skala;
-    for (const each of this.ofStripes) each.hidden = program !== 'stripes';
     this.words.hidden = !skala || this.options.function !== '';
     this.scene.hidden = program !== 'stripes';
     for (const each of [this.flight.scene, ...this.flight.controls]) each.hidden = !this.flies;
@@ -133,6 +132,7 @@ export class I8080Tab {
     }[program]);
     for (const option of this.device.select.options) option.hidden = option.disabled = program === 'stripes' && !['ef9365', 'calcomp'].includes(option.value);
     if (program === 'stripes' && !['ef9365', 'calcomp'].includes(this.options.device)) this.device.select.value = this.options.device = 'ef9365';
+    for (const each of this.ofStripes) each.hidden = program !== 'stripes' || this.options.device !== 'ef9365';
   }
 
   // `name`: of a function or a file; empty: the expression. Throws if the expression is wrong.

@@ -36,8 +36,19 @@ export function check(label, value, act, title = '') {
   return Object.assign(element('label', {className: 'field check', title}, box, element('span', {textContent: label})), {box});
 }
 
+// A number beyond its bounds becomes the nearest within them, a whole one where no step is given; what is no number becomes the one before.
 export function field(label, value, act, properties = {}, title = '') {
-  const input = element('input', {value, ...properties, onchange: () => act(input.value)});
+  const {type, min = -Infinity, max = Infinity, step} = properties;
+  let before = value;
+  const take = () => {
+    if (type === 'number') {
+      const number = parseFloat(input.value);
+      if (Number.isNaN(number)) { input.value = before; return; }
+      input.value = Math.min(max, Math.max(min, step ? number : Math.round(number)));
+    }
+    act(input.value);
+  };
+  const input = element('input', {value, ...properties, onfocus: () => { before = input.value; }, onchange: take});
   return Object.assign(element('label', {className: 'field', title}, element('span', {textContent: label}), input), {input});
 }
 

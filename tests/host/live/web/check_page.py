@@ -5,10 +5,11 @@
 
 Opens the page from disk, walks through the scenes by keys, throws switches, presses the panel's keys, points the light pen, types, drops files of every
 kind into every room, follows links with unknown parts, halts and pauses, chooses the afterglow, assembles, breaks and steps back, turns the surface, flies
-through the town, plays every lesson to its end, in a frame, too, at 390, 1280 and 3840 pixels, light and dark, and compares the tube with the photograph of
-the command. Any error in the browser's console is a failure. With FOLDER, screenshots go there.
+through the town, sets the options of the programs, plays every lesson to its end, in a frame, too, at 390, 1280 and 3840 pixels, light and dark, and compares
+the tube with the photograph of the command. Any error in the browser's console is a failure. With FOLDER, screenshots go there.
 """
 import base64
+import json
 import math
 import os
 import re
@@ -556,6 +557,101 @@ check(js("return sightline.tab.symbols.textContent.includes('begin') && sightlin
 fits("the workbench")
 named("the workbench")
 console_is_clean("the workbench")
+
+# --- Options of the programs, each with its effect on the picture.
+def option(label):
+    return driver.find_element(By.XPATH, f"//main//label[contains(., '{label}')]/input")
+
+
+def fill(label, value):
+    unfold()
+    number = driver.find_element(By.XPATH, f"//main//label[span[text()='{label}']]/input")
+    number.send_keys(Keys.CONTROL, "a")
+    number.send_keys(str(value) or Keys.DELETE, Keys.TAB)
+    return number.get_attribute("value")
+
+
+def complete_raster(what):
+    wait(lambda: js("return sightline.tab.ended"), what)
+    return js("return [...sightline.module.raster(sightline.tab.id)]")
+
+
+# Jones: without the box the eye stays in its cell, whose far side is at z = 400; with it, it goes through the door into the next one.
+go("jones/house")
+choose("Speed", "2")
+
+
+def walk(key, there, seconds=30):
+    begun = time.time()
+    ActionChains(driver).key_down(key).perform()
+    while time.time() < begun + seconds and not there(js("return [...sightline.tab.where()]")):
+        time.sleep(0.02)
+    ActionChains(driver).key_up(key).perform()
+
+
+for through in [False, True]:
+    if through:
+        option("Through portals").click()
+        check("through=1" in driver.current_url, "the walk through portals is in the link: " + driver.current_url)
+        wait(lambda: js("return sightline.tab.view && sightline.tab.view.views >= 1"), "a view of the walk")
+    walk(Keys.ARROW_LEFT, lambda eye: eye[0] <= 390)
+    walk("d", lambda eye: eye[1] <= 125)
+    walk(Keys.ARROW_UP, lambda eye: eye[2] >= (560 if through else 399))
+    time.sleep(1 if through else 3)
+    z = js("return sightline.tab.where()[2]")
+    check(560 <= z < 700 if through else z == 399, f"through portals {through}: the eye is at z = {z}")
+check("Walkfree" in js("sightline.tab.showState(); return sightline.tab.facts.textContent"), "no wall is met: " + js("return sightline.tab.facts.textContent"))
+unfold()
+js("sightline.tab.exact.box.click()")
+wait(lambda: js("return sightline.tab.missing === 0 && sightline.tab.extra === 0"), "the picture from the next cell is on its exact lines", 30)
+shot("walk")
+walk(Keys.ARROW_UP, lambda eye: "a wall stops the eye along z" in js("sightline.tab.showState(); return sightline.tab.facts.textContent"))
+check(740 < js("return sightline.tab.where()[2]") < 750, f"a wall is told where the scene ends: {js('return sightline.tab.where()')}")
+# Montani and Re: only dots beside another level change, and to levels between those of the faces.
+go("skala/stripes boxes-5?rotation=30&elevation=30")
+choose("Speed", "0")
+plain = complete_raster("boxes in stripes")
+option("Smooth edges").click()
+smooth = complete_raster("boxes with smooth edges")
+changed = [i for i in range(65536) if plain[i] != smooth[i]]
+check(300 < len(changed) < 2000 and set(smooth) > set(plain), f"smooth edges: {len(changed)} dots change, levels {sorted(set(plain))} and {sorted(set(smooth))}")
+lonely = [i for i in changed if len({plain[(i + by) % 65536] for by in (-257, -256, -255, -1, 0, 1, 255, 256, 257)}) == 1]
+check(not lonely, f"smooth edges: {len(lonely)} dots change within a face")
+shot("smooth-edges")
+choose("Device", "calcomp")
+check(not option("Smooth edges").is_displayed(), "a plotter has no greys")
+# Skala without its temporary masks: as many dots are missing as by the command, and none is extra.
+go("skala/sinc?rotation=30&elevation=30")
+choose("Speed", "0")
+right = complete_raster("lines of sinc")
+option("Temporary masks").click()
+direct = complete_raster("without the temporary masks")
+missing = sum(1 for i in range(65536) if right[i] and not direct[i])
+extra = sum(1 for i in range(65536) if direct[i] and not right[i])
+command = json.loads(subprocess.run([sightline, "skala", "lines", "sinc", "--points", "33", "--slices", "33", "--rotate", "30", "--elevate", "30", "--direct-masks", "--json"], capture_output=True, check=True).stdout)["wrong_dots"]
+check(missing == command["missing"] > 1000 and extra == command["extra"] == 0, f"without temporary masks {missing} dots are missing and {extra} extra, by the command {command}")
+shot("direct-masks")
+option("Temporary masks").click()
+# Contours of a coarse grid: cut cells come nearer to the picture of a fine grid.
+choose("Drawn as", "contours")
+for label in ["Points along x", "Slices"]:
+    fill(label, 65)
+fine = complete_raster("contours of a fine grid")
+for label in ["Points along x", "Slices"]:
+    fill(label, 17)
+wrong_dots = []
+for parts in [1, 2, 4]:
+    fill("Cells cut in", parts)
+    wrong_dots.append(sum(1 for a, b in zip(complete_raster(f"cells cut in {parts}"), fine) if a != b))
+check(wrong_dots[2] < 0.5 * wrong_dots[0] and wrong_dots[2] < wrong_dots[1] < wrong_dots[0], f"dots that differ from a fine grid, with cells cut in 1, 2 and 4: {wrong_dots}")
+shot("cut-cells")
+for typed, taken_as in [("17", "16"), ("0", "1"), ("2.4", "2"), ("", "2")]:
+    check(fill("Cells cut in", typed) == taken_as, f"{typed!r} is taken as {taken_as} cells")
+fill("Points along x", "128")
+fill("Slices", "128")
+fill("Cells cut in", "16")
+check(wrong() and "--subdivide" in said() and "at most 1024 by 1024" in said(), "too many cells are refused in words: " + said())
+console_is_clean("options")
 
 # --- The theatre: every lesson to its end.
 go("theatre")

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstdio>
+#include <fstream>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -453,6 +455,30 @@ TEST(JonesWalkTape, RefusesCellsWithoutAPointInside) {
   const auto walk = encode(scene, {}, 0, Tape::walk);
   ASSERT_FALSE(walk);
   EXPECT_EQ(walk.error().place, "cell 1");
+}
+
+// The words that firmware/pdp7/jones/NOTES.md states, whose lines are broken anywhere.
+TEST(JonesWalkTape, NotesStateTheWords) {
+  std::ifstream file(SIGHTLINE_SOURCE_DIR "/firmware/pdp7/jones/NOTES.md");
+  std::string notes;
+  for (std::string word; file >> word;) notes += word + ' ';
+  ASSERT_FALSE(notes.empty());
+  const auto free_words = [](const char* scene, bool eae, bool walk) {
+    const auto program = assemble_program(scene::builtin_scene(scene), {.eae = eae, .walk = walk});
+    return core_words - program->words_used;
+  };
+  const auto states = [&](const std::string& text) { EXPECT_NE(notes.find(text), std::string::npos) << text; };
+  const auto thousands = [](std::uint32_t number) {
+    std::string text = std::to_string(number);
+    if (text.size() > 3) text.insert(text.size() - 3, ",");
+    return text;
+  };
+  const auto planes = [](const char* scene) { return std::to_string(3 * scene::builtin_scene(scene).cells.size()); };
+  states("three words for each cell: " + planes("house") + " in house, " + planes("street4") + " in street4");
+  states("without the walk leaves " + thousands(free_words("street4", true, false)) + " words free with the EAE and " +
+         thousands(free_words("street4", false, false)) + " without");
+  states(thousands(free_words("street4", true, true)) + " words stay free with the EAE and " + thousands(free_words("street4", false, true)) +
+         " without; in house " + thousands(free_words("house", true, true)) + " and " + thousands(free_words("house", false, true)));
 }
 
 TEST(JonesWalkPath, ReadsSteps) {

@@ -1,8 +1,12 @@
 // The cost of the parts of the program, as stated in NOTES.md: differences between runs of scenes that differ in one respect.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <string>
 
 #include "tests/host/programs/stripes/views.hpp"
 
@@ -72,6 +76,30 @@ TEST(StripesCost, OfAPair) {
   };
   expect_cost(ranking(100, true, false) - ranking(100, false, false), 32490, "test 4 instead of test 3");
   expect_cost((ranking(220, true, true) - ranking(180, true, true)) / 40, 2120, "a common line in test 6");
+}
+
+// The table of emulated seconds in NOTES.md.
+TEST(StripesCost, OfTheBuilds) {
+  std::ifstream file(SIGHTLINE_SOURCE_DIR "/firmware/i8080/stripes/NOTES.md");
+  std::size_t rows = 0;
+  bool inside = false;
+  for (std::string line; std::getline(file, line);) {
+    if (line.rfind("## ", 0) == 0) inside = line == "## Builds";
+    char name[32] = "";
+    unsigned faces = 0;
+    std::array<double, 3> said{};
+    if (!inside || std::sscanf(line.c_str(), "| %31[^ |] | %u | %lf | %lf | %lf |", name, &faces, &said[0], &said[1], &said[2]) != 5) continue;
+    ++rows;
+    const scene::PolyScene scene = scene_named(name);
+    std::size_t column = 0;
+    for (const Build build : {Build::plain, Build::coverage, Build::overwrite}) {
+      const auto drawn = stripes::run({.scene = scene, .view = whole_view(scene), .options = {.build = build}});
+      ASSERT_TRUE(drawn) << name;
+      EXPECT_EQ(drawn->scene.faces.size(), faces) << name;
+      EXPECT_NEAR(core::in_seconds(drawn->picture.drawing), said[column++], 0.00501) << name;
+    }
+  }
+  EXPECT_EQ(rows, 5U);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ HeightGrid grid_of(std::vector<double> x, std::vector<double> z, Function height
 }
 
 HeightGrid finer(const HeightGrid& grid, std::size_t parts) {
-  auto result = subdivided(grid, parts);
+  auto result = subdivided(grid, {parts, parts});
   EXPECT_TRUE(result);
   return *result;
 }
@@ -50,6 +50,24 @@ TEST(Subdivide, KeepsTheHeightsOfTheGrid) {
       EXPECT_EQ(made.heights, grid.heights);
     }
   }
+}
+
+// The curves of the slices do not depend on whether there are slices between them.
+TEST(Subdivide, AlongOneAxisKeepsTheOtherLines) {
+  std::mt19937 dice(8);
+  const HeightGrid grid = grid_of(even_positions(7), even_positions(5), [&dice](double, double) { return static_cast<double>(dice() % 1000); });
+  const HeightGrid both = finer(grid, 4);
+  const auto along_x = subdivided(grid, {4, 1});
+  const auto along_z = subdivided(grid, {1, 4});
+  ASSERT_TRUE(along_x && along_z);
+  ASSERT_EQ(along_x->points(), both.points());
+  ASSERT_EQ(along_x->slices(), grid.slices());
+  ASSERT_EQ(along_z->points(), grid.points());
+  ASSERT_EQ(along_z->slices(), both.slices());
+  for (std::size_t s = 0; s < grid.slices(); ++s)
+    for (std::size_t p = 0; p < both.points(); ++p) EXPECT_EQ(along_x->height(p, s), both.height(p, 4 * s));
+  for (std::size_t s = 0; s < both.slices(); ++s)
+    for (std::size_t p = 0; p < grid.points(); ++p) EXPECT_EQ(along_z->height(p, s), both.height(4 * p, s));
 }
 
 // Also where the places are not at equal distances, and at the borders.
@@ -92,8 +110,8 @@ TEST(Subdivide, HolesStayHoles) {
 
 TEST(Subdivide, ReportsATooFineGrid) {
   const HeightGrid grid = grid_of(even_positions(100), even_positions(3), [](double x, double) { return x; });
-  EXPECT_TRUE(subdivided(grid, 10));
-  const auto result = subdivided(grid, 11);
+  EXPECT_TRUE(subdivided(grid, {10, 10}));
+  const auto result = subdivided(grid, {11, 11});
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().place, "--subdivide");
   EXPECT_NE(result.error().found.find("23 by 1090"), std::string::npos) << result.error().found;
