@@ -129,7 +129,7 @@ TEST(DisassemblePdp7Bell, FirmwareAndExamplesComeBack) {
     }
   }
   auto& jones = programs["firmware/pdp7/jones"];
-  ASSERT_EQ(jones.size(), 8U);
+  ASSERT_EQ(jones.size(), 9U);
   std::sort(jones.begin(), jones.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
   jones.push_back({"scene", "scene, 0\n"});
   ASSERT_GE(programs.size(), 10U);
