@@ -345,7 +345,7 @@ class Bound {
       if (holds[0] == holds[1]) continue;
       const std::size_t end = holds[0] ? 1 : 0;
       const Cut at = cut_at(line, side, ends[0], ends[1]);
-      const double drawn_there = line.side.of_window || (direction_ && is_on_window(at.place)) ? std::numeric_limits<double>::infinity() : at.of_clip + at.of_line + corner;
+      const double drawn_there = line.side.of_window || is_on_window(at.place) ? std::numeric_limits<double>::infinity() : at.of_clip + at.of_line + corner;
       ends[end] = at.place;
       side.away[end] = at.of_line;
       end_away[end] = std::min(std::hypot(at.of_line, at.along), drawn_there);

@@ -104,10 +104,6 @@ std::vector<VisibleLine> visible_lines(const Matter& matter, const std::vector<R
   return seen_of_all(matter, lines, eye, &window);
 }
 
-std::vector<VisibleLine> visible_lines_around(const Matter& matter, const std::vector<RealLine>& lines, const Point& eye) {
-  return seen_of_all(matter, lines, eye, nullptr);
-}
-
 std::optional<std::vector<VisibleLine>> visible_lines(const scene::CellScene& scene, const Point& eye,
                                                       const Window& window) {
   const auto matter = Matter::of(scene);
@@ -149,7 +145,8 @@ struct Part {
 
 }  // namespace
 
-std::vector<ScreenSegment> on_screen_turned(const std::vector<VisibleLine>& lines, const Point& eye, const Window& window, double cosine, double sine) {
+std::vector<ScreenSegment> turned_view(const Matter& matter, const std::vector<RealLine>& lines, const Point& eye, const Window& window, double cosine,
+                                       double sine) {
   using Place = std::array<double, 3>;
   const double length = std::hypot(cosine, sine);
   const auto between = [](const Place& p, const Place& q, double t) { return Place{p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2])}; };
@@ -158,12 +155,12 @@ std::vector<ScreenSegment> on_screen_turned(const std::vector<VisibleLine>& line
     return Place{(r[0] * cosine - r[2] * sine) / length, static_cast<double>(r[1]), (r[0] * sine + r[2] * cosine) / length};
   };
   std::vector<ScreenSegment> segments;
-  for (const VisibleLine& line : lines) {
+  for (const VisibleLine& line : seen_of_all(matter, lines, eye, nullptr)) {
     for (const auto& [from, to] : line.intervals.intervals()) {
       const Place p = between(turned(line.p), turned(line.q), from.to_double());
       const Place q = between(turned(line.p), turned(line.q), to.to_double());
       Part part;
-      part.keep(p[2] - window.near, q[2] - window.near);
+      part.keep(p[2], q[2]);
       for (std::size_t b = 0; b < 2; ++b) {
         const auto inside = [&](const Place& at, std::int32_t bound) { return at[b] * window.scale - (bound - window.centre[b]) * at[2]; };
         part.keep(inside(p, window.points[b].low), inside(q, window.points[b].low));

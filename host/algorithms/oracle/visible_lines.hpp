@@ -48,15 +48,13 @@ struct VisibleLine {
 [[nodiscard]] std::optional<std::vector<VisibleLine>> visible_lines(const scene::CellScene& scene,
                                                                     const geometry::Point& eye,
                                                                     const Window& window);
-// In every direction, for views that look elsewhere.
-[[nodiscard]] std::vector<VisibleLine> visible_lines_around(const Matter& matter, const std::vector<RealLine>& lines, const geometry::Point& eye);
 
 // The visible pieces on the screen, in points.
 [[nodiscard]] std::vector<ScreenSegment> on_screen(const std::vector<VisibleLine>& lines,
                                                    const geometry::Point& eye, const Window& window);
-// The same of a view turned about the vertical, which looks along (sine, 0, cosine), a vector of any length; the lines are those
-// visible in every direction. Only their visibility is exact: the image is in floating point.
-[[nodiscard]] std::vector<ScreenSegment> on_screen_turned(const std::vector<VisibleLine>& lines, const geometry::Point& eye, const Window& window,
-                                                          double cosine, double sine);
+// The visible pieces of a view turned about the vertical, which looks along (sine, 0, cosine), a vector of any length. There is no near
+// plane: window.near does not count. Only the visibility is exact: the image is in floating point.
+[[nodiscard]] std::vector<ScreenSegment> turned_view(const Matter& matter, const std::vector<RealLine>& lines, const geometry::Point& eye,
+                                                     const Window& window, double cosine, double sine);
 
 }  // namespace sightline::algorithms::oracle

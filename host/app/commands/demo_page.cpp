@@ -335,7 +335,7 @@ PageGallery stripes_gallery(const DemoResults& results) {
 PageGallery circle_gallery(const DemoResults& results) {
   PageGallery gallery{"Plantinga, Seales and Dyer 1990: turns about other axes and in perspective, on this computer", 3, "", {}};
   for (const CircleRow& row : results.circles)
-    gallery.figures.push_back({row.file, fmt::format("{} {}: {} events in a turn; {} of {} frames as computed from scratch", row.model, row.view,
+    gallery.figures.push_back({row.file, fmt::format("{} {}: {} events in a turn; {} of {} frames have the visible length of the view from scratch", row.model, row.view,
                                                      row.events, row.right, row.frames)});
   return gallery;
 }

@@ -219,7 +219,7 @@ std::vector<CircleRow> run_circles(const std::string& directory) {
 }
 
 std::string circle_table(const std::vector<CircleRow>& rows) {
-  std::string text = fmt::format("{:<11}{:<30}{:>7}{:>8}{:>8}{:>20}\n", "model", "turn", "edges", "events", "frames", "as from scratch");
+  std::string text = fmt::format("{:<11}{:<30}{:>7}{:>8}{:>8}{:>20}\n", "model", "turn", "edges", "events", "frames", "visible length right");
   for (const CircleRow& row : rows)
     text += fmt::format("{:<11}{:<30}{:>7}{:>8}{:>8}{:>20}\n", row.model, row.view, row.edges, row.events, row.frames, fmt::format("{}/{}", row.right, row.frames));
   text += "The paper turns scenes about one axis in parallel projection, and has a sentence each for other rotations and perspective. `sightline spin --axis --elevation --distance` makes such turns.\n";

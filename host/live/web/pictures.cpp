@@ -246,8 +246,8 @@ Json sight(Workbench& workbench, const Json& request) {
     window.centre = {shown.centre_x, shown.centre_y};
     window.points = {geometry::Span{shown.centre_x + shown.xlo, shown.centre_x + shown.xhi},
                      geometry::Span{shown.centre_y + shown.ylo, shown.centre_y + shown.yhi}};
-    window.near = turned ? 0 : jones::near_z;  // a turned view has no near plane
-    const auto seen = turned ? oracle::on_screen_turned(oracle::visible_lines_around(*matter, real_lines, eye), eye, window, direction.cosine, direction.sine)
+    window.near = jones::near_z;
+    const auto seen = turned ? oracle::turned_view(*matter, real_lines, eye, window, direction.cosine, direction.sine)
                              : oracle::on_screen(oracle::visible_lines(*matter, real_lines, eye, window), eye, window);
     for (const auto& line : seen)
       lines.push_back(Json::array({line.x0, line.y0, line.x1, line.y1}));

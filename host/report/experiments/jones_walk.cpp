@@ -32,10 +32,9 @@ constexpr double most_time = 1.1;  // of the program without the walk
 double farthest_of(const scene::CellScene& scene, const jones::View& view, const std::optional<jones::Direction>& direction = {}) {
   const auto matter = oracle::Matter::of(scene);
   if (!matter) throw base::bad_input(fmt::format("{}: too large for exact lines", scene.name));
-  oracle::Window window = compare::type340_window();
-  if (direction) window.near = 0;  // a turned view has no near plane
+  const oracle::Window window = compare::type340_window();
   std::vector<picture::PixelSegment> exact, drawn;
-  const auto lines = direction ? oracle::on_screen_turned(oracle::visible_lines_around(*matter, matter->real_lines(), view.eye), view.eye, window, direction->cosine, direction->sine)
+  const auto lines = direction ? oracle::turned_view(*matter, matter->real_lines(), view.eye, window, direction->cosine, direction->sine)
                                : oracle::on_screen(oracle::visible_lines(*matter, matter->real_lines(), view.eye, window), view.eye, window);
   for (const auto& line : lines)
     exact.push_back({{line.x0, line.y0}, {line.x1, line.y1}});
@@ -70,14 +69,19 @@ std::size_t words_for_rotation(bool eae) {
   return words(true) - words(false);
 }
 
-void add_walk(JonesWalks& walks, const jones::KnownWalk& known) {
-  const std::string name(known.scene);
-  const scene::CellScene scene = base::value_of(scene::load_cell_scene(name), name);
+jones::Order order_of(const jones::KnownWalk& known) {
   jones::Order order;
-  order.walk = base::value_of(jones::read_walk(known.steps), name);
+  order.walk = base::value_of(jones::read_walk(known.steps), std::string(known.scene));
   order.check = true;
   order.pieces = true;
   order.photograph = shutter_time;
+  return order;
+}
+
+void add_walk(JonesWalks& walks, const jones::KnownWalk& known) {
+  const std::string name(known.scene);
+  const scene::CellScene scene = base::value_of(scene::load_cell_scene(name), name);
+  const jones::Order order = order_of(known);
   const compare::JonesWords words;
   const std::size_t first = walks.steps.size();
   for (const bool eae : {true, false}) {
@@ -101,11 +105,7 @@ void add_walk(JonesWalks& walks, const jones::KnownWalk& known) {
 void add_turned_walk(JonesWalks& walks, const jones::KnownWalk& known) {
   const std::string name(known.scene);
   const scene::CellScene scene = base::value_of(scene::load_cell_scene(name), name);
-  jones::Order order;
-  order.walk = base::value_of(jones::read_walk(known.steps), name);
-  order.check = true;
-  order.pieces = true;
-  order.photograph = shutter_time;
+  const jones::Order order = order_of(known);
   const compare::JonesWords words;
   const std::size_t first = walks.turned.size();
   for (const bool eae : {true, false}) {

@@ -37,8 +37,7 @@ TEST_P(JonesTurned, LinesAreWhereTheyAreVisible) {
   const auto lines = matter->real_lines();
   const auto program = jones::Prepared::of(scene, {.walk = true});
   ASSERT_TRUE(program) << program.error().message();
-  oracle::Window window = type340_window();
-  window.near = 0;
+  const oracle::Window window = type340_window();
   jones::Dice dice(1971);
   double worst = 0, worst_share = 0, wrong = 0, length = 0;
   int beyond = 0;
@@ -62,7 +61,7 @@ TEST_P(JonesTurned, LinesAreWhereTheyAreVisible) {
       const auto point = [](const jones::ScreenPoint& p) { return picture::PixelPoint{p.x / 8.0 + 512, p.y / 8.0 + 512}; };
       drawn.push_back({point(piece.line.a), point(piece.line.b)});
     }
-    const auto truth = oracle::on_screen_turned(oracle::visible_lines_around(*matter, lines, eye), eye, window, direction.cosine, direction.sine);
+    const auto truth = oracle::turned_view(*matter, lines, eye, window, direction.cosine, direction.sine);
     std::vector<picture::PixelSegment> exact;
     for (const auto& s : truth) exact.push_back({{s.x0, s.y0}, {s.x1, s.y1}});
     if (!drawn.empty()) {

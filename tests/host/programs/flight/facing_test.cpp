@@ -18,6 +18,7 @@
 #include "host/scene/generate/scene.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
 #include "host/scene/read/cell_scene.hpp"
+#include "tests/host/programs/flight/flight_support.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/effort.hpp"
 
@@ -223,63 +224,28 @@ TEST(FlightFacing, EqualsItsTwinInRandomFlights) {
 
 // --- Bad streams
 
-class DamagedFacing : public testing::Test {
- protected:
-  static Stream whole(Precision precision) {
-    Stream stream = street(precision);
-    for (Coordinates& point : stream.points) point.push_back(7);
-    stream.eyes = {{80, 0, 3}, {120, 8, 3}};
-    return stream;
-  }
-  // The program reports the error, and shows only the frames before it.
-  static Status refused(const std::vector<std::uint8_t>& stream, Precision precision, const std::string& what) {
-    const MachineFlight guest = run_machine(program(), stream);
-    EXPECT_EQ(difference_from_twin(guest, run_twin(stream, true)), "") << what;
-    EXPECT_NE(guest.status, Status::complete) << what;
-    EXPECT_NE(guest.status, Status::running) << what;
-    const TwinFlight right = run_twin(whole(precision).bytes(), true);
-    for (std::size_t i = 0; i < guest.frames.size(); ++i) EXPECT_EQ(guest.frames[i].priorities, right.frames.at(i).priorities) << what;
-    return guest.status;
-  }
-};
-
-TEST_F(DamagedFacing, EveryByteChanged) {
-  for (const Precision precision : precisions) {
-    const auto right = whole(precision).bytes();
-    for (std::size_t at = 0; at < right.size(); ++at) {
-      for (const int change : {0x01, 0x80, 0xFF}) {
-        auto stream = right;
-        stream[at] = static_cast<std::uint8_t>(stream[at] ^ change);
-        refused(stream, precision, "byte " + std::to_string(at) + " changed by " + std::to_string(change));
-      }
-    }
-  }
+Stream whole(Precision precision) {
+  Stream stream = street(precision);
+  for (Coordinates& point : stream.points) point.push_back(7);
+  stream.eyes = {{80, 0, 3}, {120, 8, 3}};
+  return stream;
 }
 
-TEST_F(DamagedFacing, EveryByteLostOrDoubled) {
-  const auto right = whole(Precision::bits_8).bytes();
-  for (std::size_t at = 0; at < right.size(); ++at) {
-    const auto place = static_cast<std::ptrdiff_t>(at);
-    auto lost = right;
-    lost.erase(lost.begin() + place);
-    refused(lost, Precision::bits_8, "byte " + std::to_string(at) + " lost");
-    auto doubled = right;
-    doubled.insert(doubled.begin() + place, right[at]);
-    if (at + 1 < right.size() && right[at] != right[at + 1]) refused(doubled, Precision::bits_8, "byte " + std::to_string(at) + " doubled");
-  }
+DamagedStreams damaged() {
+  return {true, [](Precision precision) { return whole(precision).bytes(); }};
 }
 
-TEST_F(DamagedFacing, EveryBeginning) {
-  for (const Precision precision : precisions) {
-    const auto right = whole(precision).bytes();
-    for (std::size_t length = 0; length < right.size(); ++length) {
-      const std::vector<std::uint8_t> stream(right.begin(), right.begin() + static_cast<std::ptrdiff_t>(length));
-      EXPECT_EQ(refused(stream, precision, std::to_string(length) + " bytes"), Status::host_silent);
-    }
-  }
+TEST(DamagedFacing, EveryByteChanged) {
+  for (const Precision precision : precisions) damaged().every_byte_changed(precision);
 }
 
-TEST_F(DamagedFacing, EveryStatusHasItsCause) {
+TEST(DamagedFacing, EveryByteLostOrDoubled) { damaged().every_byte_lost_or_doubled(Precision::bits_8); }
+
+TEST(DamagedFacing, EveryBeginning) {
+  for (const Precision precision : precisions) damaged().every_beginning(precision);
+}
+
+TEST(DamagedFacing, EveryStatusHasItsCause) {
   const auto status = [](const Stream& stream) {
     const auto bytes = stream.bytes();
     EXPECT_EQ(difference_of(bytes), "");
@@ -532,28 +498,10 @@ TEST(FlightFacing, ReportsDirectionsThatDoNotFit) {
   EXPECT_NE(town.error().message().find("without the facing test"), std::string::npos) << town.error().message();
 }
 
-// Programs with one wrong byte: a checked run either fails or has the priorities of the right program.
 TEST(FlightFacing, ACheckedRunOfAWrongProgramFails) {
   const auto plan = plan_flight(scene::generate_town(10), false, 8, {}, true);
   ASSERT_TRUE(plan);
-  const Order order{.model = plan->model, .path = plan->path, .facing = true, .check = true};
-  const auto right = run(order);
-  ASSERT_TRUE(right) << right.error().message();
-  Program wrong_program = program();
-  int differences = 0;
-  for (std::size_t at = 0x2A00; at < wrong_program.memory.size(); at += tests::effort(41U, 197U)) {
-    wrong_program.memory[at] ^= 1U;
-    const auto wrong = run(order, wrong_program);
-    wrong_program.memory[at] ^= 1U;
-    if (!wrong) {
-      differences += wrong.error().kind == base::ErrorKind::differs ? 1 : 0;
-      continue;
-    }
-    ASSERT_EQ(wrong->flight.frames.size(), right->flight.frames.size()) << "byte " << at;
-    for (std::size_t i = 0; i < right->flight.frames.size(); ++i)
-      EXPECT_EQ(wrong->flight.frames[i].priorities, right->flight.frames[i].priorities) << "byte " << at << ", frame " << i;
-  }
-  EXPECT_GT(differences, 0);
+  expect_wrong_programs_fail({.model = plan->model, .path = plan->path, .facing = true, .check = true}, 0x2A00, tests::effort(41U, 197U));
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
 #include "host/scene/read/cell_scene.hpp"
+#include "tests/host/programs/flight/flight_support.hpp"
 #include "tests/support/effort.hpp"
 
 namespace sightline::programs::flight {
@@ -210,29 +211,10 @@ TEST(Flight, SeparatesTouchingSolids) {
   }
 }
 
-// Programs with one wrong byte: a checked run either fails or has the priorities of the right program.
 TEST(Flight, ACheckedRunOfAWrongProgramFails) {
-  const scene::PolyScene town = scene::generate_town(10);
-  const auto plan = plan_flight(town, false, 5);
+  const auto plan = plan_flight(scene::generate_town(10), false, 5);
   ASSERT_TRUE(plan) << plan.error().message();
-  const Order order{.model = plan->model, .path = plan->path, .check = true};
-  const auto right = run(order);
-  ASSERT_TRUE(right) << right.error().message();
-  Program program = resident_program();
-  int differences = 0;
-  for (std::size_t at = 100; at < program.memory.size(); at += tests::effort(61U, 401U)) {
-    program.memory[at] ^= 1U;
-    const auto wrong = run(order, program);
-    program.memory[at] ^= 1U;
-    if (!wrong) {
-      differences += wrong.error().kind == base::ErrorKind::differs ? 1 : 0;
-      continue;
-    }
-    ASSERT_EQ(wrong->flight.frames.size(), right->flight.frames.size()) << "byte " << at;
-    for (std::size_t i = 0; i < right->flight.frames.size(); ++i)
-      EXPECT_EQ(wrong->flight.frames[i].priorities, right->flight.frames[i].priorities) << "byte " << at << ", frame " << i;
-  }
-  EXPECT_GT(differences, 0);
+  expect_wrong_programs_fail({.model = plan->model, .path = plan->path, .check = true}, 100, tests::effort(61U, 401U));
 }
 
 }  // namespace

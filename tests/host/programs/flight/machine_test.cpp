@@ -11,6 +11,7 @@
 
 #include "host/programs/flight/check.hpp"
 #include "host/programs/flight/flight.hpp"
+#include "tests/host/programs/flight/flight_support.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/effort.hpp"
 
@@ -165,63 +166,31 @@ TEST(FlightGuest, EqualsItsTwinWithRandomPlanes) {
   }
 }
 
-class DamagedFlight : public testing::Test {
- protected:
-  static std::vector<std::uint8_t> whole(Precision precision) {
-    return stream_of(precision, 3, {{10, 20, 30}, {40, 5, 6}, {7, 8, 9}, {101, 120, 130}}, {{1, 2, 3}, {90, 80, 70}});
-  }
-  // The program reports the error, and shows only the frames before it.
-  static Status refused(const std::vector<std::uint8_t>& stream, Precision precision, const std::string& what) {
-    const MachineFlight guest = run_machine(resident_program(), stream);
-    EXPECT_EQ(difference_from_twin(guest, run_twin(stream)), "") << what;
-    EXPECT_NE(guest.status, Status::complete) << what;
-    EXPECT_NE(guest.status, Status::running) << what;
-    const TwinFlight right = run_twin(whole(precision));
-    for (std::size_t i = 0; i < guest.frames.size(); ++i) EXPECT_EQ(guest.frames[i].priorities, right.frames.at(i).priorities) << what;
-    return guest.status;
-  }
-};
-
-TEST_F(DamagedFlight, EveryByteChanged) {
-  for (const Precision precision : {Precision::bits_8, Precision::bits_12}) {
-    const auto right = whole(precision);
-    for (std::size_t at = 0; at < right.size(); ++at) {
-      for (const int change : {0x01, 0x80, 0xFF}) {
-        auto stream = right;
-        stream[at] = static_cast<std::uint8_t>(stream[at] ^ change);
-        refused(stream, precision, "byte " + std::to_string(at) + " changed by " + std::to_string(change));
-      }
-    }
-  }
+std::vector<std::uint8_t> whole(Precision precision) {
+  return stream_of(precision, 3, {{10, 20, 30}, {40, 5, 6}, {7, 8, 9}, {101, 120, 130}}, {{1, 2, 3}, {90, 80, 70}});
 }
 
-TEST_F(DamagedFlight, EveryByteLostDoubledOrExchanged) {
+DamagedStreams damaged() { return {false, whole}; }
+
+TEST(DamagedFlight, EveryByteChanged) {
+  for (const Precision precision : {Precision::bits_8, Precision::bits_12}) damaged().every_byte_changed(precision);
+}
+
+TEST(DamagedFlight, EveryByteLostOrDoubled) { damaged().every_byte_lost_or_doubled(Precision::bits_8); }
+
+TEST(DamagedFlight, EveryByteExchangedWithTheNext) {
   const auto right = whole(Precision::bits_8);
-  for (std::size_t at = 0; at < right.size(); ++at) {
-    const auto place = static_cast<std::ptrdiff_t>(at);
-    auto lost = right;
-    lost.erase(lost.begin() + place);
-    refused(lost, Precision::bits_8, "byte " + std::to_string(at) + " lost");
-    auto doubled = right;
-    doubled.insert(doubled.begin() + place, right[at]);
-    // A superfluous last byte is never read.
-    if (at + 1 < right.size() && right[at] != right[at + 1]) refused(doubled, Precision::bits_8, "byte " + std::to_string(at) + " doubled");
-    if (at + 1 == right.size() || right[at] == right[at + 1]) continue;
+  for (std::size_t at = 0; at + 1 < right.size(); ++at) {
+    if (right[at] == right[at + 1]) continue;
     auto exchanged = right;
     std::swap(exchanged[at], exchanged[at + 1]);
-    refused(exchanged, Precision::bits_8, "bytes " + std::to_string(at) + " and the next exchanged");
+    damaged().refused(exchanged, Precision::bits_8, "bytes " + std::to_string(at) + " and the next exchanged");
   }
 }
 
-TEST_F(DamagedFlight, EveryBeginning) {
-  const auto right = whole(Precision::bits_8);
-  for (std::size_t length = 0; length < right.size(); ++length) {
-    const std::vector<std::uint8_t> stream(right.begin(), right.begin() + static_cast<std::ptrdiff_t>(length));
-    EXPECT_EQ(refused(stream, Precision::bits_8, std::to_string(length) + " bytes"), Status::host_silent);
-  }
-}
+TEST(DamagedFlight, EveryBeginning) { damaged().every_beginning(Precision::bits_8); }
 
-TEST_F(DamagedFlight, EveryStatusHasItsCause) {
+TEST(DamagedFlight, EveryStatusHasItsCause) {
   const auto right = whole(Precision::bits_8);
   const auto with = [&right](std::size_t at, std::uint8_t value) {
     auto stream = right;
